@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/station/console.h"
+#include "app/station/options.h"
 #include "app/station/station.h"
 #include "app/terminal/ask_secret.h"
 #include "core/library/library.h"

@@ -136,6 +136,15 @@ QJsonObject figuresJson(const CalibrationFigures& figures)
             {u"lack_of_fit_p"_s, jsonNumber(figures.lackOfFitProbability)}};
 }
 
+struct Sum {
+    double of = 0;
+    int count = 0;
+    [[nodiscard]] std::optional<double> mean() const
+    {
+        return count > 0 ? std::optional(of / count) : std::nullopt;
+    }
+};
+
 } // namespace
 
 std::vector<bool> ascendingPoints(const std::vector<CalibrationPoint>& points)
@@ -151,6 +160,23 @@ std::vector<bool> ascendingPoints(const std::vector<CalibrationPoint>& points)
         ascending.push_back(rising);
     }
     return ascending;
+}
+
+std::vector<UpAndDown> upAndDown(const std::vector<CalibrationPoint>& points)
+{
+    const std::vector<bool> ascending = ascendingPoints(points);
+    std::map<double, std::pair<Sum, Sum>> loads;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        auto& [up, down] = loads[points[i].load];
+        Sum& sum = ascending[i] ? up : down;
+        sum.of += points[i].reading;
+        ++sum.count;
+    }
+    std::vector<UpAndDown> rows;
+    rows.reserve(loads.size());
+    for (const auto& [load, sums] : loads)
+        rows.push_back({load, sums.first.mean(), sums.second.mean()});
+    return rows;
 }
 
 CalibrationFigures calibrationFigures(const CalibrationCurve& curve,

@@ -33,6 +33,14 @@ struct CalibrationFigures {
 /// and the first goes the way the first different one does; all are ascending where there is none.
 [[nodiscard]] std::vector<bool> ascendingPoints(const std::vector<CalibrationPoint>& points);
 
+/// Mean readings at one load, reached from below and from above.
+struct UpAndDown {
+    double load = 0;
+    std::optional<double> up, down;
+};
+/// Of all loads of the points, ascending.
+[[nodiscard]] std::vector<UpAndDown> upAndDown(const std::vector<CalibrationPoint>& points);
+
 /// Points in the order they were taken: that is what tells up from down.
 [[nodiscard]] CalibrationFigures calibrationFigures(const CalibrationCurve& curve,
                                                     const std::vector<CalibrationPoint>& points);

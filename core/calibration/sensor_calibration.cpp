@@ -2,6 +2,7 @@
 #include "core/calibration/sensor_calibration.h"
 
 #include "core/base/words.h"
+#include "core/calibration/sensor_correction.h"
 #include "core/math/distributions.h"
 
 #include <algorithm>
@@ -95,6 +96,19 @@ double relativeSlopeUncertainty(const CalibrationCurve& curve)
            span;
 }
 
+/// Without a correction the reading is what the gripper says.
+LoadErrors errorsOf(const std::vector<CalibrationPoint>& points, const SensorCorrection* correction)
+{
+    LoadErrors errors;
+    errors.each.reserve(points.size());
+    for (const CalibrationPoint& point : points) {
+        const double said = correction ? correction->loadOf(point.reading) : point.reading;
+        errors.each.push_back(said - point.load);
+        errors.largest = std::max(errors.largest, std::abs(errors.each.back()));
+    }
+    return errors;
+}
+
 } // namespace
 
 QString toString(SensorChannel channel)
@@ -144,6 +158,33 @@ Expected<CalibrationEvaluation> evaluateCalibration(const SensorCalibration& cal
     evaluation.scaleUncertainty =
         std::hypot(relativeSlopeUncertainty(evaluation.curve), reference.relativeUncertainty);
     return evaluation;
+}
+
+std::optional<LoadErrors> errorsAsFound(const SensorCalibration& calibration)
+{
+    if (!calibration.foundCorrection)
+        return std::nullopt;
+    if (calibration.foundCorrection->isEmpty())
+        return errorsOf(calibration.points, nullptr);
+    const std::optional<SensorCorrection> before = SensorCorrection::fromText(*calibration.foundCorrection);
+    return before ? std::optional(errorsOf(calibration.points, &*before)) : std::nullopt;
+}
+
+LoadErrors errorsAsLeft(const SensorCalibration& calibration, const CalibrationEvaluation& evaluation)
+{
+    const SensorCorrection correction(evaluation.curve);
+    return errorsOf(calibration.checkPoints.empty() ? calibration.points : calibration.checkPoints,
+                    &correction);
+}
+
+CalibrationConformity judgeConformity(double largestError, double expandedUncertainty, double tolerance,
+                                      DecisionRule rule)
+{
+    const double guard = rule == DecisionRule::Guarded ? expandedUncertainty : 0;
+    if (largestError + guard <= tolerance)
+        return CalibrationConformity::Conforms;
+    return largestError - guard > tolerance ? CalibrationConformity::DoesNotConform
+                                            : CalibrationConformity::Undecided;
 }
 
 CalibrationStatus calibrationStatus(const std::optional<QDate>& due, const QDate& today)

@@ -2,16 +2,58 @@
 #pragma once
 
 #include "core/base/parallel_runs.h"
-#include "core/clustering/block_assignment.h"
 #include "core/clustering/cluster_items.h"
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace gripscope {
+
+/// Items whose distances are measured at once.
+inline constexpr Eigen::Index blockItems = 64;
+
+/// Gives each item of a block the number of the centroid nearest to it: of equals the lowest; 0 where none is
+/// at a finite distance. How many labels changed. `columns`: `features` columns of blockItems numbers each;
+/// `centroids`: one a row; `labels`: blockItems numbers.
+///     |x - c|^2 = ((x_1 - c_1)^2 + (x_2 - c_2)^2) + ... , added in this order without fused multiplication,
+/// so that every processor finds the same to the last bit.
+int assignBlock(const double* columns, Eigen::Index features, const ItemRows& centroids, int* labels);
+
+namespace detail {
+/// An item after the other, for any processor: what the other has to agree with.
+int assignOneByOne(const double* columns, Eigen::Index features, const ItemRows& centroids, int* labels);
+} // namespace detail
+
+struct ClusterSums {
+    ItemRows sums;         ///< of the items, clusters x features
+    Eigen::VectorXd items; ///< how many in each cluster
+};
+
+/// Items to their nearest centroid and the sums of the clusters, by measuring every distance: in blocks of
+/// items whose features lie in columns, many items at once. A block of which no item changed its cluster
+/// since the last assignment has its sums still; they are the same to the last bit as if they were added
+/// anew.
+class BlockAssignment {
+public:
+    BlockAssignment(const ItemRows& items, int clusters);
+
+    /// Of a chunk of the items: labels (the last assignment's, -1 before the first) and sums; how many labels
+    /// changed. Chunks may be assigned side by side.
+    std::size_t assign(const Chunk& chunk, const ItemRows& centroids, std::vector<int>& labels,
+                       ClusterSums& sums);
+
+private:
+    void addUp(std::size_t block, const int* labels, std::size_t count);
+    [[nodiscard]] const double* columnsOf(std::size_t block) const;
+
+    Eigen::Index m_features, m_clusters;
+    std::unique_ptr<double[]> m_columns; ///< block after block
+    std::vector<double> m_sums;          ///< of each block, clusters x (features and how many)
+};
 
 /// The two halves of an iteration of Lloyd: every item to its nearest centroid (of equals the lowest number),
 /// and the means of the clusters. The result is that of measuring every distance, to the last bit, but most

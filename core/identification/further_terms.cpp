@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/further_terms.h"
-
 #include "core/base/words.h"
 #include "core/identification/comparison/model_comparison.h"
+#include "core/identification/identification_steps.h"
 #include "core/identification/output_error/output_error.h"
 
 #include <algorithm>

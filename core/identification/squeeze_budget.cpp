@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/squeeze_budget.h"
-
+#include "core/identification/identification_steps.h"
 #include "core/identification/model/evidence.h"
 #include "core/identification/motion/motion.h"
 #include "core/identification/uncertainty/uncertainty_budget.h"
-#include "core/identification/without_mass.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/without_mass.h"
-
 #include "core/base/words.h"
+#include "core/identification/identification_steps.h"
 #include "core/identification/model/evidence.h"
 #include "core/identification/uncertainty/uncertainty_budget.h"
 

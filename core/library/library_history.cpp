@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/words.h"
-#include "core/library/history/history_list.h"
 #include "core/library/history/history_view.h"
 #include "core/library/library_private.h"
 #include "core/library/tables/document_table.h"

@@ -76,4 +76,8 @@ struct PrincipalAxes {
 /// `items`: rows are items (at least one), finite, their squares too.
 [[nodiscard]] PrincipalAxes principalAxes(const Eigen::MatrixXd& items);
 
+/// exp(matrix) of a small square matrix by scaling and squaring (Higham 2005), to rounding error of its norm.
+/// Instantiated here once. Numbers must be finite.
+[[nodiscard]] Eigen::MatrixXd matrixExponential(const Eigen::MatrixXd& matrix);
+
 } // namespace gripscope

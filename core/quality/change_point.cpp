@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/change_point.h"
-
+#include "core/quality/drift.h"
 #include "core/recognition/types/predictive.h"
 #include "core/recognition/types/squeeze_values.h"
 

@@ -3,6 +3,7 @@
 
 #include "core/identification/model/estimate.h"
 #include "core/research/real_part.h"
+#include "core/signal/recording/recording.h"
 
 #include <QString>
 

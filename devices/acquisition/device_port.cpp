@@ -3,16 +3,36 @@
 
 #include "core/session/connection/report_log.h"
 #include "devices/acquisition/device_link.h"
-#include "devices/acquisition/open_links.h"
 #include "devices/transport/bounded_thread.h"
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <utility>
+#include <vector>
 
 namespace gripscope {
 
 namespace {
+
+/// Those of this program that are open.
+struct OpenLinks {
+    std::mutex mutex;
+    std::vector<std::weak_ptr<DeviceLink>> open;
+};
+
+OpenLinks& links()
+{
+    static OpenLinks all;
+    return all;
+}
+
+void addOpenLink(const std::shared_ptr<DeviceLink>& link)
+{
+    const std::lock_guard lock(links().mutex);
+    std::erase_if(links().open, [](const std::weak_ptr<DeviceLink>& one) { return one.expired(); });
+    links().open.push_back(link);
+}
 
 /// Any transport, with what passed last kept in a log.
 class LoggedTransport : public Transport {
@@ -228,6 +248,14 @@ void DevicePort::confirmAlive() noexcept
 const ReportLog* DevicePort::reportLog() const
 {
     return d->log.get();
+}
+
+void stopOpenLinks() noexcept
+{
+    const std::lock_guard lock(links().mutex);
+    for (const std::weak_ptr<DeviceLink>& one : links().open)
+        if (const auto link = one.lock())
+            link->stop();
 }
 
 } // namespace gripscope

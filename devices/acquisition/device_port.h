@@ -53,4 +53,7 @@ private:
     std::unique_ptr<Private> d;
 };
 
+/// Stops every gripper of this program that is open, for who does not know them. From any thread.
+void stopOpenLinks() noexcept;
+
 } // namespace gripscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/acquisition/open_links.h"
+#include "devices/acquisition/device_port.h"
 #include "devices/emergency/end_signals.h"
 
 #include <array>

@@ -156,4 +156,9 @@ bool HidTransport::write(const protocol::Report& report)
            hid_write(m_writer.get(), report.data(), report.size()) == static_cast<int>(report.size());
 }
 
+QString hidapiVersion()
+{
+    return QString::fromLatin1(hid_version_str());
+}
+
 } // namespace gripscope

@@ -57,4 +57,7 @@ private:
     std::atomic<bool> m_closed{false};
 };
 
+/// Of the hidapi that runs.
+[[nodiscard]] QString hidapiVersion();
+
 } // namespace gripscope

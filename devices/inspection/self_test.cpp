@@ -2,7 +2,6 @@
 #include "devices/inspection/self_test.h"
 
 #include "core/base/words.h"
-#include "devices/inspection/self_test_lines.h"
 
 #include <algorithm>
 

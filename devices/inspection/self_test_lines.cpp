@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/inspection/self_test_lines.h"
-
 #include "core/base/words.h"
 #include "core/signal/recording/units.h"
+#include "devices/inspection/self_test.h"
 #include "devices/protocol/report_words.h"
 
 #include <QStringList>

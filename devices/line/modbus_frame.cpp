@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/line/modbus_frame.h"
+#include "devices/line/modbus_registers.h"
 
 #include <array>
 

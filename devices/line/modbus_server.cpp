@@ -2,7 +2,7 @@
 #include "devices/line/modbus_server.h"
 
 #include "core/base/words.h"
-#include "devices/line/line_registers.h"
+#include "devices/line/modbus_registers.h"
 
 #include <QAbstractEventDispatcher>
 #include <QEventLoop>

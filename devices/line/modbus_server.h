@@ -21,9 +21,9 @@ struct ModbusServerOptions {
 /// "HOST:PORT", with an address of version 6 in brackets. Usage where it is none.
 [[nodiscard]] Expected<ModbusServerOptions> parseListenAddress(const QString& text);
 
-/// Puts a JobDesk on the network as a Modbus TCP server (register_map.h), in a thread of its own, which does
-/// nothing else and is waited for by nobody. Bounded: some clients, of each a few requests at a time and some
-/// kilobytes that it did not fetch; what goes beyond is put off, or the client is.
+/// Puts a JobDesk on the network as a Modbus TCP server (modbus_registers.h), in a thread of its own, which
+/// does nothing else and is waited for by nobody. Bounded: some clients, of each a few requests at a time and
+/// some kilobytes that it did not fetch; what goes beyond is put off, or the client is.
 class ModbusServer {
 public:
     static constexpr int mostClients = 8;

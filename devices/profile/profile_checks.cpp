@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/profile/profile_checks.h"
-
 #include "core/base/words.h"
 #include "core/signal/recording/recording_limits.h"
 #include "core/signal/recording/units.h"
+#include "devices/profile/profile_json.h"
 
 #include <cmath>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/profile/profile_counter.h"
-
 #include "core/signal/preparation/sample_clock.h"
+#include "devices/profile/profile_codec.h"
 
 #include <algorithm>
 #include <cmath>

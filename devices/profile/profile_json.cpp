@@ -3,7 +3,6 @@
 
 #include "core/base/bounded_file.h"
 #include "core/base/words.h"
-#include "devices/profile/profile_checks.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/profile/profile_decoder.h"
+#include "devices/profile/profile_codec.h"
 
 #include <string_view>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/profile/profile_schema.h"
-
 #include "core/base/words.h"
+#include "devices/profile/profile_json.h"
 
 #include <QFile>
 #include <QJsonArray>

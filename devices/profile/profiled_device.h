@@ -2,7 +2,7 @@
 #pragma once
 
 #include "devices/address/device_address.h"
-#include "devices/profile/profile_decoder.h"
+#include "devices/profile/profile_codec.h"
 #include "devices/profile/profile_library.h"
 #include "devices/transport/report_decoder.h"
 

@@ -2,7 +2,7 @@
 #include "devices/profile/report_watch.h"
 
 #include "core/base/words.h"
-#include "devices/profile/profile_decoder.h"
+#include "devices/profile/profile_codec.h"
 
 #include <algorithm>
 

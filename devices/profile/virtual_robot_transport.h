@@ -5,9 +5,9 @@
 #include "core/identification/model/discretization.h"
 #include "devices/address/device_address.h"
 #include "devices/address/virtual_object.h"
-#include "devices/profile/profile_encoder.h"
+#include "devices/profile/profile_codec.h"
 #include "devices/transport/transport.h"
-#include "devices/virtual/fault_timeline.h"
+#include "devices/virtual/virtual_faults.h"
 
 #include <condition_variable>
 #include <deque>

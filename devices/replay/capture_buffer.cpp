@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/replay/capture_buffer.h"
-
 #include "core/session/squeeze/squeeze_notes.h"
+#include "devices/replay/capture_writer.h"
 
 #include <algorithm>
 

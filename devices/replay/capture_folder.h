@@ -3,7 +3,6 @@
 
 #include "core/base/error.h"
 
-#include <QDateTime>
 #include <QString>
 
 #include <optional>

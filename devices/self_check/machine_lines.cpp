@@ -2,7 +2,7 @@
 #include "core/base/words.h"
 #include "core/calibration/sensor_calibration.h"
 #include "devices/protocol/report.h"
-#include "devices/self_check/check_lines.h"
+#include "devices/self_check/self_check.h"
 
 #include <QStringList>
 

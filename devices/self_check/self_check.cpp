@@ -6,9 +6,7 @@
 #include "core/library/sql/sql_dialect.h"
 #include "core/library/sql/statement.h"
 #include "core/library/tables/calibration_tables.h"
-#include "devices/hid/hid_library.h"
 #include "devices/hid/hid_transport.h"
-#include "devices/self_check/check_lines.h"
 
 #include <QFileInfo>
 #include <QProcess>

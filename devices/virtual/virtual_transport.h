@@ -3,8 +3,7 @@
 
 #include "devices/address/device_address.h"
 #include "devices/transport/transport.h"
-#include "devices/virtual/fault_injector.h"
-#include "devices/virtual/fault_timeline.h"
+#include "devices/virtual/virtual_faults.h"
 #include "devices/virtual/virtual_firmware.h"
 
 #include <condition_variable>

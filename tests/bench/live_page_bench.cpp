@@ -2,7 +2,7 @@
 // What the Live page costs the screen's thread with a gripper of 6 kHz, the 3-D page having been opened
 // before: a frame with 60 s of force and position shown, and the memory held after an hour. Needs a display:
 //   xvfb-run -a -s "-screen 0 1600x1000x24" build/bench/bin/live_page_bench
-#include "devices/line/mqtt/mqtt_outbox.h"
+#include "devices/line/mqtt/mqtt_publisher.h"
 #include "ui/charts/strip_chart.h"
 #include "ui/context/workbench.h"
 #include "ui/pages/page.h"

@@ -7,8 +7,8 @@
 #include "ui/pages/page.h"
 #include "ui/settings/settings_link.h"
 #include "ui/settings/values/settings.h"
+#include "ui/shell/desktop_session.h"
 #include "ui/shell/main_window.h"
-#include "ui/shell/window_host.h"
 #include "ui/windows/dialog.h"
 
 #include <QApplication>

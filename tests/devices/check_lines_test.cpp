@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/sql/sql_dialect.h"
-#include "devices/self_check/check_lines.h"
+#include "devices/self_check/self_check.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/line/mqtt/clock_watch.h"
 #include "devices/line/mqtt/mqtt_words.h"
+#include "devices/line/mqtt/result_sender.h"
 #include "tests/support/patience.h"
 #include "tests/support/test_registry.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/protocol/report.h"
-#include "devices/virtual/fault_timeline.h"
+#include "devices/virtual/virtual_faults.h"
 #include "tests/support/test_registry.h"
 #include "tests/support/why_not.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A profile as a JSON document: what is read out of it, and what is said of one that is wrong.
-#include "devices/profile/profile_checks.h"
+#include "devices/profile/profile_json.h"
 #include "devices/profile/profile_library.h"
 #include "tests/support/test_registry.h"
 

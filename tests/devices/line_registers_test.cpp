@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/line/line_registers.h"
+#include "devices/line/modbus_registers.h"
 #include "tests/support/test_registry.h"
 
 #include <QFile>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From the bytes of another maker's gripper to samples: numbers, counters that come round, losses.
 #include "devices/profile/field_values.h"
-#include "devices/profile/profile_decoder.h"
-#include "devices/profile/profile_encoder.h"
+#include "devices/profile/profile_codec.h"
 #include "devices/profile/profile_library.h"
 #include "tests/support/test_registry.h"
 

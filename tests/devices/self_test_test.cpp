@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/inspection/device_facts.h"
 #include "devices/inspection/self_test.h"
-#include "devices/inspection/self_test_lines.h"
 #include "tests/devices/port_helpers.h"
 #include "tests/support/test_registry.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/line/mqtt/host_state.h"
 #include "devices/line/mqtt/sparkplug_payload.h"
 #include "tests/support/test_registry.h"
 

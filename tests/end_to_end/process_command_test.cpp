@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Charts and capability of one type, straight from a library; the numbers are those that the window shows.
 #include "core/math/gaussian.h"
-#include "core/session/process/process_capability.h"
+#include "core/session/process/process_chart.h"
 #include "tests/core/library/process_inspections.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/line/register_map.h"
+#include "devices/line/modbus_registers.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/end_to_end/small_plc.h"
 #include "tests/end_to_end/station_console.h"

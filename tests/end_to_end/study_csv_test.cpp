@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/gauge/gauge_json.h"
-#include "core/session/quality/gauge_result.h"
+#include "core/quality/gauge/gauge_study.h"
+#include "core/session/quality/study_result.h"
 #include "tests/core/session/study_samples.h"
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"

@@ -11,7 +11,7 @@
 #include "core/library/tables/person_table.h"
 #include "core/library/tables/recording_table.h"
 #include "core/library/tables/type_state_table.h"
-#include "core/library/verification/ledger_check.h"
+#include "core/library/verification/library_checks.h"
 #include "core/library/verification/library_verification.h"
 #include "core/signal/recording/recording_limits.h"
 #include "tests/fuzz/fuzzing.h"

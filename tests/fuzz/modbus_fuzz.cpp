@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/line/line_registers.h"
+#include "devices/line/modbus_registers.h"
 #include "tests/fuzz/fuzzing.h"
 
 // What a PLC, or whoever reaches its port, sends to a station that answers each job at once: every frame has

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/line/mqtt/host_state.h"
-#include "devices/line/mqtt/outbox_records.h"
+#include "devices/line/mqtt/outbox_file.h"
 #include "devices/line/mqtt/sparkplug_payload.h"
 #include "tests/fuzz/fuzzing.h"
 

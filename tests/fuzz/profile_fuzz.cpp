@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/recording/recording_limits.h"
-#include "devices/profile/profile_decoder.h"
+#include "devices/profile/profile_codec.h"
 #include "devices/profile/profile_json.h"
 #include "tests/fuzz/fuzzing.h"
 

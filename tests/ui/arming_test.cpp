@@ -2,7 +2,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/people_window.h"
 #include "ui/people/people_dialogs.h"
-#include "ui/shell/arm_chord.h"
+#include "ui/shell/arming.h"
 
 using namespace Qt::StringLiterals;
 using namespace gripscope;

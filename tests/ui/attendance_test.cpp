@@ -3,7 +3,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/people_window.h"
 #include "ui/settings/values/settings.h"
-#include "ui/shell/attendance.h"
+#include "ui/shell/arming.h"
 
 using namespace std::chrono_literals;
 using namespace Qt::StringLiterals;

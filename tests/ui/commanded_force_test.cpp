@@ -2,7 +2,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/workbench_fixture.h"
 #include "ui/charts/strip_chart.h"
-#include "ui/feed/live_squeeze.h"
+#include "ui/feed/live_feed.h"
 
 #include <QLabel>
 #include <QPushButton>

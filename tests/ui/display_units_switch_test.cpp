@@ -7,7 +7,7 @@
 #include "ui/settings/settings_dialog.h"
 #include "ui/settings/values/chosen_units.h"
 #include "ui/settings/values/settings.h"
-#include "ui/shell/window_host.h"
+#include "ui/shell/desktop_session.h"
 #include "ui/widgets/quantity_box.h"
 #include "ui/widgets/quantity_list_edit.h"
 

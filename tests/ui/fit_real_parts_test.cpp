@@ -7,7 +7,7 @@
 #include "tests/ui/identification_example.h"
 #include "tests/ui/layout_languages.h"
 #include "tests/ui/layout_walk.h"
-#include "ui/format/result_text.h"
+#include "ui/format/parameter_text.h"
 #include "ui/pages/fit/fit_page_summary.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"

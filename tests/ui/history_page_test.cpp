@@ -5,7 +5,7 @@
 #include "ui/charts/overlay_plots.h"
 #include "ui/charts/trend_plot.h"
 #include "ui/models/history_model.h"
-#include "ui/pages/fit/overlay_dialog.h"
+#include "ui/pages/fit/fit_page_squeezes.h"
 #include "ui/pages/history/history_page.h"
 #include "ui/pages/history/history_parts.h"
 #include "ui/pages/page_state.h"

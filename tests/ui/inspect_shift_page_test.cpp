@@ -4,7 +4,7 @@
 #include "tests/ui/inspecting.h"
 #include "ui/format/outcome_words.h"
 #include "ui/pages/inspect/inspect_batch.h"
-#include "ui/pages/inspect/void_dialog.h"
+#include "ui/pages/inspect/inspect_parts.h"
 #include "ui/settings/values/settings.h"
 #include "ui/settings/values/shift_start.h"
 #include "ui/widgets/fitted_label.h"

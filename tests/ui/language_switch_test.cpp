@@ -4,8 +4,8 @@
 #include "ui/context/language.h"
 #include "ui/settings/settings_dialog.h"
 #include "ui/settings/values/settings.h"
+#include "ui/shell/desktop_session.h"
 #include "ui/shell/window_bars.h"
-#include "ui/shell/window_host.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -3,7 +3,7 @@
 #include "core/math/gaussian.h"
 #include "core/signal/excitation/excitation.h"
 #include "tests/support/test_registry.h"
-#include "ui/feed/live_squeeze.h"
+#include "ui/feed/live_feed.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 #include "tests/devices/mqtt_broker.h"
 #include "tests/support/mqtt_reader.h"
 #include "tests/ui/inspecting.h"
-#include "ui/line/mqtt_station.h"
+#include "ui/line/line_station.h"
 #include "ui/settings/values/settings.h"
 #include "ui/shell/window_bars.h"
 

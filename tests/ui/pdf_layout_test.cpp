@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/reports/pdf_layout.h"
+#include "ui/reports/pdf_document.h"
 #include "ui/reports/reports.h"
 
 #include <QAbstractTextDocumentLayout>

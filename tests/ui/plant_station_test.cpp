@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/plant_server.h"
 #include "tests/ui/inspecting.h"
-#include "ui/line/plant_station.h"
+#include "ui/line/line_station.h"
 #include "ui/settings/values/settings.h"
 #include "ui/shell/window_bars.h"
 

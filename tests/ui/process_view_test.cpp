@@ -2,7 +2,7 @@
 #include "tests/core/library/raw_database.h"
 #include "tests/support/test_registry.h"
 #include "tests/ui/charting.h"
-#include "ui/charts/control_view.h"
+#include "ui/charts/control_plot.h"
 #include "ui/charts/histogram_plot.h"
 #include "ui/pages/history/history_page.h"
 #include "ui/pages/quality/process/process_view.h"

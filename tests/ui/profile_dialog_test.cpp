@@ -4,7 +4,6 @@
 #include "tests/support/test_registry.h"
 #include "ui/context/workbench.h"
 #include "ui/profiles/profile_dialog.h"
-#include "ui/profiles/profile_parts.h"
 
 #include <QAbstractItemModelTester>
 #include <QLabel>

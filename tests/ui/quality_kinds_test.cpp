@@ -2,9 +2,9 @@
 // Studies of the other kinds from the button to the verdict and its papers, by click and key.
 #include "tests/support/test_registry.h"
 #include "tests/ui/studying.h"
-#include "ui/charts/category_plot.h"
-#include "ui/pages/quality/study_outcome.h"
-#include "ui/reports/study_report.h"
+#include "ui/charts/study_charts.h"
+#include "ui/pages/quality/study_views.h"
+#include "ui/reports/quality_reports.h"
 #include "ui/widgets/quantity_box.h"
 
 #include <QComboBox>

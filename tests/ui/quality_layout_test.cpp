@@ -5,7 +5,7 @@
 #include "tests/ui/layout_walk.h"
 #include "tests/ui/shifting.h"
 #include "tests/ui/studying.h"
-#include "ui/pages/quality/shift/drift_view.h"
+#include "ui/pages/quality/shift/shift_views.h"
 
 #include <QTabBar>
 

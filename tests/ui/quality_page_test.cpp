@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
 #include "tests/ui/studying.h"
-#include "ui/charts/category_plot.h"
-#include "ui/pages/quality/study_outcome.h"
+#include "ui/charts/study_charts.h"
+#include "ui/pages/quality/study_views.h"
 
 #include <QDoubleSpinBox>
 #include <QFile>

@@ -3,9 +3,6 @@
 #include "tests/ui/workbench_fixture.h"
 #include "ui/format/recipe_words.h"
 #include "ui/pages/shared/enroll_recipe_form.h"
-#include "ui/pages/shared/expectation_view.h"
-#include "ui/pages/shared/force_levels_row.h"
-#include "ui/pages/shared/force_picture.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/windows/file_dialog.h"
 

@@ -2,7 +2,7 @@
 #include "core/base/display_units.h"
 #include "tests/support/test_registry.h"
 #include "ui/format/number_format.h"
-#include "ui/format/result_text.h"
+#include "ui/format/parameter_text.h"
 
 #include <QLocale>
 #include <QTest>

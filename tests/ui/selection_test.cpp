@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/test_registry.h"
-#include "ui/models/estimate_delegate.h"
+#include "ui/models/estimate_table_model.h"
 #include "ui/theme/theme.h"
 
 #include <QComboBox>

@@ -5,7 +5,7 @@
 #include "tests/ui/studying.h"
 #include "ui/charts/course_plot.h"
 #include "ui/charts/interval_plot.h"
-#include "ui/pages/quality/shift/drift_view.h"
+#include "ui/pages/quality/shift/shift_views.h"
 
 #include <QCheckBox>
 #include <QComboBox>

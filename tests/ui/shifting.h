@@ -3,7 +3,7 @@
 
 #include "tests/core/signal/measured_can.h"
 #include "tests/ui/workbench_fixture.h"
-#include "ui/pages/quality/shift/transfer_view.h"
+#include "ui/pages/quality/shift/shift_views.h"
 
 #include <QCheckBox>
 #include <QLabel>

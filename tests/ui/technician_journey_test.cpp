@@ -3,7 +3,7 @@
 #include "tests/support/test_registry.h"
 #include "tests/ui/inspecting.h"
 #include "ui/settings/values/settings.h"
-#include "ui/shell/arm_chord.h"
+#include "ui/shell/arming.h"
 
 #include <QFile>
 #include <QTemporaryDir>

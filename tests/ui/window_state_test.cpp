@@ -3,7 +3,7 @@
 #include "tests/ui/workbench_fixture.h"
 #include "ui/pages/page_state.h"
 #include "ui/settings/values/settings.h"
-#include "ui/shell/window_host.h"
+#include "ui/shell/desktop_session.h"
 
 #include <QGuiApplication>
 #include <QHeaderView>

@@ -16,7 +16,6 @@
 #include "ui/settings/values/settings.h"
 #include "ui/settings/values/shift_start.h"
 #include "ui/shell/desktop_session.h"
-#include "ui/shell/window_host.h"
 
 #include <QComboBox>
 #include <QDir>

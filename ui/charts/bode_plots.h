@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/frequency/empirical_response.h"
-#include "core/identification/frequency/model_response.h"
+#include "core/identification/frequency/frequency_response.h"
 #include "ui/charts/plot_frame.h"
 #include "ui/charts/plot_stack.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/category_plot.h"
-
 #include "ui/charts/axis_ticks.h"
+#include "ui/charts/study_charts.h"
 #include "ui/theme/elided_text.h"
 
 #include <QFontInfo>

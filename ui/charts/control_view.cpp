@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/control_view.h"
-
 #include "core/session/process/process_words.h"
+#include "ui/charts/control_plot.h"
 
 #include <QDateTime>
 #include <QKeyEvent>

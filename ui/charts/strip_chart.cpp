@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/strip_chart.h"
 
-#include "ui/charts/strip_chart_curves.h"
 #include "ui/theme/theme.h"
 
 #include <QColor>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/charts/strip_chart_curves.h"
+#include "ui/charts/strip_chart.h"
 
 #include <QColor>
 #include <QLineF>

@@ -8,9 +8,11 @@
 #include "ui/context/workbench.h"
 #include "ui/settings/values/settings.h"
 
+#include <QApplication>
 #include <QCoreApplication>
 #include <QEvent>
 #include <QTimer>
+#include <QWidget>
 
 #include <algorithm>
 #include <memory>
@@ -185,9 +187,21 @@ void tellArming(Workbench& bench, std::function<void(const Expected<void>&)> don
         });
 }
 
+/// What a question to the person who works here is shown over; none where no window is shown.
+QWidget* windowInFront()
+{
+    if (QWidget* active = QApplication::activeWindow())
+        return active;
+    const QWidgetList windows = QApplication::topLevelWidgets();
+    const auto shown = std::find_if(windows.begin(), windows.end(), [](const QWidget* one) {
+        return one->isVisible() && one->windowType() == Qt::Window;
+    });
+    return shown == windows.end() ? nullptr : *shown;
+}
+
 } // namespace
 
-void authorizeArming(Workbench& bench, QWidget* parent, std::function<void()> arm)
+void authorizeArming(Workbench& bench, std::function<void()> arm)
 {
     const SignIn& signIn = bench.signIn();
     if (signIn.known() && !signIn.inForce()) {
@@ -205,6 +219,7 @@ void authorizeArming(Workbench& bench, QWidget* parent, std::function<void()> ar
     };
     if (!signIn.known() || signIn.may(Permission::Arm))
         return tellAndArm();
+    QWidget* parent = windowInFront();
     const QString needed = SignIn::tr("Sign in, then arm the gripper: the library keeps who armed it.");
     if (!parent || !signIn.current())
         bench.messages().report(needed);

@@ -11,8 +11,6 @@
 #include <functional>
 #include <vector>
 
-class QWidget;
-
 namespace gripscope {
 
 class Secret;
@@ -78,8 +76,8 @@ private:
 /// Calls `arm` where the one who works here may arm the connected gripper, by the policy of the library, and
 /// tells its audit trail. Whom nobody knows is asked to sign in, and has to ask for it again then; who may
 /// not, for a supervisor's consent. Where people are, it is told first and armed then; where none are, nobody
-/// could refuse, and it need not wait for the disk. `parent`: for the questions; without one nobody is asked,
-/// and nothing is armed that somebody would have to allow.
-void authorizeArming(Workbench& bench, QWidget* parent, std::function<void()> arm);
+/// could refuse, and it need not wait for the disk. The questions are shown over the window in front; where
+/// none is shown nobody is asked, and nothing is armed that somebody would have to allow.
+void authorizeArming(Workbench& bench, std::function<void()> arm);
 
 } // namespace gripscope

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/context/stepped_work.h"
 
+#include "ui/context/background.h"
+#include "ui/context/messages.h"
 #include "ui/context/workbench.h"
+
+#include <utility>
 
 namespace gripscope {
 

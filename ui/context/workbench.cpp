@@ -7,7 +7,6 @@
 #include "ui/context/connection_words.h"
 #include "ui/context/doorbell.h"
 #include "ui/context/sign_in.h"
-#include "ui/context/window_in_front.h"
 #include "ui/format/reference_words.h"
 #include "ui/settings/values/settings.h"
 #include "ui/widgets/plain_text.h"
@@ -258,7 +257,7 @@ void Workbench::arm()
         return stops == d->stops && serial == d->connection.identity().serial;
     };
     const auto authorized = [this, now, meant] {
-        authorizeArming(*this, windowInFront(), [now, meant] {
+        authorizeArming(*this, [now, meant] {
             if (meant())
                 now();
         });

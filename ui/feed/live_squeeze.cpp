@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/feed/live_squeeze.h"
+#include "ui/feed/live_feed.h"
 
 #include <limits>
 

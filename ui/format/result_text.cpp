@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/format/result_text.h"
-
 #include "core/base/csv.h"
 #include "core/identification/result/determined_parameters.h"
 #include "core/identification/uncertainty/derived_quantities.h"
 #include "ui/format/estimate_words.h"
 #include "ui/format/number_format.h"
+#include "ui/format/parameter_text.h"
 #include "ui/format/shown_budget.h"
 
 #include <QCoreApplication>

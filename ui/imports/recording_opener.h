@@ -3,10 +3,12 @@
 
 #include "core/signal/recording/foreign_table.h"
 
+#include <QByteArray>
 #include <QObject>
 #include <QString>
 
 #include <functional>
+#include <optional>
 
 class QWidget;
 

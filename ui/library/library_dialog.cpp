@@ -8,7 +8,6 @@
 #include "ui/format/number_format.h"
 #include "ui/library/library_words.h"
 #include "ui/library/recent_libraries.h"
-#include "ui/library/server_dialog.h"
 #include "ui/library/station_conflicts.h"
 #include "ui/pages/page.h"
 #include "ui/people/authorize.h"

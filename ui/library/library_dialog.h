@@ -35,6 +35,19 @@ private:
     QLineEdit* m_reason;
 };
 
+/// Asks for the address of a library on a PostgreSQL server. Says at once what cannot be one; whether there
+/// is such a server is found out by whoever opens it.
+class ServerDialog : public Dialog {
+    Q_OBJECT
+public:
+    explicit ServerDialog(const QString& address, QWidget* parent = nullptr);
+    [[nodiscard]] QString address() const; ///< as it is kept; empty while it cannot be one
+
+private:
+    QLineEdit* m_address;
+    QLabel* m_problem;
+};
+
 /// The library that is open: what is in it; another one in its place, a backup of it, and a backup put back.
 /// Nothing here is done on the screen's thread, and what takes long can be cancelled.
 class LibraryDialog : public Dialog {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/library/server_dialog.h"
-
 #include "core/library/library.h"
+#include "ui/library/library_dialog.h"
 #include "ui/widgets/controls.h"
 
 #include <QLabel>

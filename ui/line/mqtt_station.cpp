@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/line/mqtt_station.h"
-
 #include "ui/context/workbench.h"
+#include "ui/line/line_station.h"
 #include "ui/settings/values/settings.h"
 
 namespace gripscope {

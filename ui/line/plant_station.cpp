@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/line/plant_station.h"
-
 #include "core/library/library_service.h"
 #include "core/session/line/plant_words.h"
 #include "ui/context/workbench.h"
+#include "ui/line/line_station.h"
 #include "ui/settings/values/settings.h"
 
 namespace gripscope {

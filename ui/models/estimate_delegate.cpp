@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/models/estimate_delegate.h"
-
 #include "ui/format/number_format.h"
 #include "ui/models/estimate_table_model.h"
 #include "ui/theme/elided_text.h"

@@ -185,13 +185,13 @@ QVariant EstimateTableModel::head(int section, int role) const
 
 std::vector<DeterminedParameter> EstimateTableModel::furtherColumns() const
 {
-    std::vector<DeterminedParameter> columns;
+    std::vector<DeterminedParameter> found;
     for (const Row& row : m_rows)
         for (const DeterminedParameter& one : row.further)
-            if (std::ranges::find(columns, one.parameter, &DeterminedParameter::parameter) == columns.end())
-                columns.push_back(one);
-    std::ranges::sort(columns, {}, &DeterminedParameter::parameter);
-    return columns;
+            if (std::ranges::find(found, one.parameter, &DeterminedParameter::parameter) == found.end())
+                found.push_back(one);
+    std::ranges::sort(found, {}, &DeterminedParameter::parameter);
+    return found;
 }
 
 QString EstimateTableModel::toTsv() const

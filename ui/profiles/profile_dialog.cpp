@@ -7,7 +7,6 @@
 #include "ui/charts/strip_chart.h"
 #include "ui/context/workbench.h"
 #include "ui/people/authorize.h"
-#include "ui/profiles/profile_parts.h"
 #include "ui/widgets/controls.h"
 #include "ui/windows/file_dialog.h"
 

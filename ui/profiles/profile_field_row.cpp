@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/profiles/profile_parts.h"
+#include "ui/profiles/profile_dialog.h"
 #include "ui/widgets/controls.h"
 
 #include <QCheckBox>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/profile/field_values.h"
-#include "ui/profiles/profile_parts.h"
+#include "ui/profiles/profile_dialog.h"
 #include "ui/widgets/controls.h"
 
 #include <QComboBox>

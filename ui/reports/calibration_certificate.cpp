@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/calibration/conformity.h"
+#include "core/calibration/sensor_calibration.h"
 #include "ui/charts/calibration_plot.h"
 #include "ui/format/calibration_words.h"
 #include "ui/format/date_text.h"

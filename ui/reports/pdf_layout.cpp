@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/reports/pdf_layout.h"
+#include "ui/reports/pdf_document.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QFont>

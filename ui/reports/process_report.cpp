@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/reports/process_report.h"
-
 #include "core/session/process/process_words.h"
-#include "ui/charts/control_view.h"
+#include "ui/charts/control_plot.h"
 #include "ui/charts/histogram_plot.h"
 #include "ui/format/date_text.h"
 #include "ui/format/number_format.h"
 #include "ui/format/reference_words.h"
 #include "ui/reports/pdf_document.h"
+#include "ui/reports/quality_reports.h"
 
 #include <QPainter>
 

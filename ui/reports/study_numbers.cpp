@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/reports/study_numbers.h"
-
 #include "core/base/p_value_words.h"
 #include "core/quality/gauge/gauge_words.h"
 #include "ui/charts/study_charts.h"
 #include "ui/format/number_format.h"
+#include "ui/reports/quality_reports.h"
 
 #include <cmath>
 

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/reports/study_report.h"
-
 #include "core/session/quality/study_due.h"
 #include "ui/charts/study_charts.h"
 #include "ui/format/date_text.h"
 #include "ui/format/number_format.h"
 #include "ui/format/reference_words.h"
 #include "ui/reports/pdf_document.h"
-#include "ui/reports/study_numbers.h"
+#include "ui/reports/quality_reports.h"
 
 #include <QPainter>
 

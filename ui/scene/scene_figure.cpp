@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene/scene_figure.h"
 
-#include "ui/scene/scene_axes.h"
 #include "ui/scene/scene_marks.h"
 #include "ui/theme/theme.h"
 

@@ -3,7 +3,7 @@
 
 #include "ui/scene/offscreen_gl.h"
 #include "ui/scene/scene_actors.h"
-#include "ui/scene/scene_axes.h"
+#include "ui/scene/scene_figure.h"
 #include "ui/theme/theme.h"
 
 #include <QLoggingCategory>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene/offscreen_gl.h"
-#include "ui/scene/scene_axes.h"
 #include "ui/scene/scene_figure.h"
 #include "ui/scene/scene_marks.h"
 #include "ui/scene/scene_renderer.h"

@@ -5,9 +5,8 @@
 #include "ui/library/recent_libraries.h"
 #include "ui/settings/settings_link.h"
 #include "ui/settings/values/settings.h"
-#include "ui/shell/attendance.h"
+#include "ui/shell/arming.h"
 #include "ui/shell/main_window.h"
-#include "ui/shell/window_host.h"
 #include "ui/station/station_watch.h"
 
 #include <QGuiApplication>

@@ -7,7 +7,7 @@
 #include "ui/library/library_dialog.h"
 #include "ui/people/people_dialogs.h"
 #include "ui/people/sign_in_dialog.h"
-#include "ui/shell/arm_chord.h"
+#include "ui/shell/arming.h"
 #include "ui/shell/connect_menu.h"
 #include "ui/shell/window_bars.h"
 #include "ui/theme/elided_text.h"

@@ -17,7 +17,6 @@
 #include "ui/pages/types/types_page.h"
 #include "ui/people/authorize.h"
 #include "ui/settings/settings_dialog.h"
-#include "ui/shell/page_view.h"
 #include "ui/shell/window_bars.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"

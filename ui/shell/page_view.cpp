@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/shell/page_view.h"
+#include "ui/shell/main_window.h"
 
 #include <QApplication>
 #include <QEvent>

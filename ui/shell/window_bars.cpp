@@ -10,8 +10,6 @@
 #include "ui/format/reference_words.h"
 #include "ui/format/study_due_words.h"
 #include "ui/line/line_station.h"
-#include "ui/line/mqtt_station.h"
-#include "ui/line/plant_station.h"
 #include "ui/theme/theme.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"

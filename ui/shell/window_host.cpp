@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/shell/window_host.h"
-
+#include "core/base/display_units.h"
 #include "ui/context/language.h"
 #include "ui/context/workbench.h"
 #include "ui/pages/page.h"
@@ -8,6 +7,7 @@
 #include "ui/settings/settings_dialog.h"
 #include "ui/settings/values/chosen_units.h"
 #include "ui/settings/values/settings.h"
+#include "ui/shell/desktop_session.h"
 #include "ui/shell/main_window.h"
 #include "ui/widgets/message_bar.h"
 

@@ -7,7 +7,6 @@
 #include "app/cli/options/recording_output.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/recordings/classification.h"
-#include "app/cli/recordings/verdict_output.h"
 #include "core/base/json_value.h"
 #include "core/recognition/verdict/rates_json.h"
 #include "devices/replay/captured_session.h"

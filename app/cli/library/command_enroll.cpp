@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/library/authorization.h"
 #include "app/cli/library/chain_library.h"
-#include "app/cli/library/enrolled_approval.h"
-#include "app/cli/library/table_enrollment.h"
+#include "app/cli/library/enrollment.h"
 #include "app/cli/line/commands.h"
 #include "app/cli/line/drive.h"
 #include "app/cli/line/exit_code.h"
@@ -108,7 +107,7 @@ private:
     EnrollSession m_session;
 };
 
-void addTableOptions(CommandLine& line)
+void addEnrollmentTableOptions(CommandLine& line)
 {
     line.option(
         u"table"_qs, u"TABLE.csv"_qs,
@@ -152,7 +151,7 @@ int runEnroll(const QStringList& arguments)
     line.option(u"type"_qs, u"NAME"_qs, u"Name of the type."_qs);
     line.option(u"operator"_qs, u"NAME"_qs, u"Who; kept with the squeezes."_qs);
     addReadingOptions(line);
-    addTableOptions(line);
+    addEnrollmentTableOptions(line);
     if (const std::optional<int> exit = line.parse(arguments))
         return *exit;
     const CsvReadOptions reading = csvReadOptions(line);

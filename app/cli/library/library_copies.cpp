@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/library/library_copies.h"
-
 #include "app/cli/library/authorization.h"
+#include "app/cli/library/library_commands.h"
 #include "app/cli/library/type_library.h"
 #include "app/cli/line/exit_code.h"
 #include "app/cli/line/output.h"

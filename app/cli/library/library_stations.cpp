@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/library/library_stations.h"
-
 #include "app/cli/library/authorization.h"
 #include "app/cli/library/existing_library.h"
+#include "app/cli/library/library_commands.h"
 #include "app/cli/library/type_library.h"
 #include "app/cli/line/exit_code.h"
 #include "app/cli/line/output.h"

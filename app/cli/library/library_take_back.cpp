@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/library/library_take_back.h"
-
+#include "app/cli/library/library_commands.h"
 #include "app/cli/library/type_library.h"
 #include "app/cli/line/exit_code.h"
 #include "app/cli/line/output.h"
 #include "app/cli/options/shared_options.h"
 #include "core/library/library.h"
 #include "core/library/records/inspection_record.h"
-#include "core/library/spill/kept_inspections.h"
+#include "core/library/spill/inspection_spill.h"
 
 #include <QJsonArray>
 

@@ -5,7 +5,7 @@
 #include "app/cli/line/output.h"
 #include "app/cli/options/shared_options.h"
 #include "core/library/records/type_squeeze.h"
-#include "core/recognition/enrolment/enrollment_json.h"
+#include "core/recognition/enrolment/enrollment_guidance.h"
 #include "core/signal/recording/units.h"
 
 #include <QJsonArray>

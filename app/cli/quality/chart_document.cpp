@@ -124,7 +124,7 @@ QStringList shortened(const QStringList& lines, qsizetype all)
     return shown;
 }
 
-QString verdictText(std::size_t signalCount, std::size_t points, const QString& first)
+QString steadinessText(std::size_t signalCount, std::size_t points, const QString& first)
 {
     if (signalCount == 0)
         return u"Steady: no signal in %1 points."_qs.arg(points);
@@ -208,7 +208,7 @@ QString chartText(const DrawnChart& chart)
         told << signalInWords(study.signalsFound[i], study.setting).describe();
     lines << shortened(told, qsizetype(study.signalsFound.size()));
     lines << runLengthText(chart.runLengths) << described(study.messages);
-    lines << verdictText(
+    lines << steadinessText(
         study.signalsFound.size(), study.points.size(),
         study.signalsFound.empty() ? QString() : u"point %1"_qs.arg(study.signalsFound.front().point + 1));
     return lines.join(u'\n');
@@ -238,7 +238,7 @@ QString chartText(const DrawnHotelling& chart)
     if (study.points.size() > mostLines)
         lines << u"... %1 more; --json has them all"_qs.arg(study.points.size() - mostLines);
     lines << shortened(told, qsizetype(count)) << runLengthText(chart.runLengths) << described(study.messages)
-          << verdictText(count, study.points.size(), first);
+          << steadinessText(count, study.points.size(), first);
     return lines.join(u'\n');
 }
 

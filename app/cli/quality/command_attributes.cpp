@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/line/output.h"
 #include "app/cli/quality/quality_commands.h"
-#include "core/quality/agreement/agreement_json.h"
+#include "core/quality/agreement/attribute_agreement.h"
 
 namespace gripscope::cli {
 
@@ -126,7 +126,7 @@ int runAttributeStudy(const QStringList& arguments)
         return *exit;
     return showStudy(
         agreementOf(line, columns), line, [](const AttributeAgreement& study) { return toJson(study); },
-        text);
+        [](const AttributeAgreement& study) { return text(study); });
 }
 
 } // namespace gripscope::cli

@@ -34,8 +34,8 @@ int showStudy(const Expected<Study>& study, const CommandLine& line, const Docum
 
 /// The options that name the table that studyTable() reads.
 void addTableOptions(CommandLine& line);
-/// TABLE.csv, or what --library and --batch name (library_table.h). Usage where neither or both are; so the
-/// command's arguments are "[TABLE.csv]", with brackets.
+/// TABLE.csv, or what --library and --batch name (study_table_input.cpp says which columns that has). Usage
+/// where neither or both are; so the command's arguments are "[TABLE.csv]", with brackets.
 [[nodiscard]] Expected<StudyTable> studyTable(const CommandLine& line);
 
 } // namespace gripscope::cli

@@ -8,6 +8,9 @@
 #include "core/session/inspect/squeeze_judged.h"
 #include "core/signal/recording/recording_csv.h"
 
+#include <QJsonObject>
+#include <QString>
+
 #include <memory>
 
 namespace gripscope::cli {
@@ -43,6 +46,11 @@ private:
     struct Private;
     std::unique_ptr<Private> d;
 };
+
+/// One entry of the results of classify.
+[[nodiscard]] QJsonObject verdictJson(const QString& file, const Verdict& verdict);
+/// The same for a person.
+[[nodiscard]] QString verdictText(const QString& file, const Verdict& verdict);
 
 /// The library of --library, or the user's own. StorageOpen: there is none; opening would make an empty one,
 /// and every part would be unknown to it.

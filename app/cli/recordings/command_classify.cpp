@@ -6,7 +6,6 @@
 #include "app/cli/line/output.h"
 #include "app/cli/options/shared_options.h"
 #include "app/cli/recordings/classification.h"
-#include "app/cli/recordings/verdict_output.h"
 
 #include <QJsonArray>
 

@@ -4,12 +4,14 @@
 #include "app/cli/line/exit_code.h"
 #include "app/cli/line/output.h"
 #include "app/cli/options/shared_options.h"
-#include "app/cli/recordings/identification_csv.h"
 #include "app/cli/recordings/identification_text.h"
+#include "core/base/csv.h"
 #include "core/identification/estimators/estimator_table.h"
+#include "core/identification/result/determined_parameters.h"
 #include "core/identification/result/identification_json.h"
 #include "core/identification/validation/validation.h"
 #include "core/session/squeeze/hold_history.h"
+#include "core/signal/recording/units.h"
 
 #include <algorithm>
 
@@ -43,6 +45,87 @@ Expected<std::vector<Estimator>> estimators(const QStringList& list)
         return failure(ErrorCode::Usage, {u"--estimator names none; choose from %1, or all."_qs.arg(
                                              estimatorNames().join(u", "_qs))});
     return found;
+}
+
+const QStringList& csvColumns()
+{
+    static const QStringList columns{
+        u"file"_qs,     u"estimator"_qs, u"status"_qs, u"recommended"_qs, u"m"_qs,
+        u"m_95"_qs,     u"m_unit"_qs,    u"b"_qs,      u"b_95"_qs,        u"b_unit"_qs,
+        u"k"_qs,        u"k_95"_qs,      u"k_unit"_qs, u"intervals"_qs,   u"simulation_percent"_qs,
+        u"validity"_qs, u"error"_qs};
+    return columns;
+}
+
+QString csvRow(QStringList cells)
+{
+    for (QString& cell : cells)
+        cell = csvCell(cell);
+    return cells.join(u',');
+}
+
+/// m, b and k with half their intervals, and what these count.
+struct CsvNumbers {
+    std::optional<double> values[3], halves[3];
+    QString intervals;
+};
+
+CsvNumbers csvNumbers(const Identification& identification, const Estimate& estimate)
+{
+    CsvNumbers numbers;
+    const UncertaintyBudget& budget = identification.budget;
+    const bool whole =
+        isRecommended(identification, estimate) && (budget.parameters || !budget.further.empty());
+    const QString asMeasured = u"1"_qs;
+    for (const DeterminedParameter& one : whole ? determinedParameters(identification, asMeasured, asMeasured)
+                                                : determinedParameters(estimate, asMeasured, asMeasured)) {
+        const std::optional<std::size_t> at = linearPlaceOf(one.parameter);
+        if (!at || one.isLowerBound)
+            continue;
+        numbers.values[*at] = one.value;
+        if (!one.interval)
+            continue;
+        numbers.halves[*at] = (one.interval->upper - one.interval->lower) / 2;
+        numbers.intervals = whole ? u"budget"_qs : u"noise"_qs;
+    }
+    return numbers;
+}
+
+/// What `identify --csv` prints: a header, then a row a file and estimator (RFC 4180, decimal points, all
+/// digits). m_95, b_95, k_95 are half the 95 % interval: `intervals` says whether of the uncertainty budget
+/// (the recommended estimate, whose m, b and k are then without the empty gripper's) or of noise alone.
+/// Numbers that do not exist are empty cells.
+QString identificationCsvHeader()
+{
+    return csvColumns().join(u',');
+}
+
+QString identificationCsv(const Identification& identification, const Recording& recording,
+                          const QString& file)
+{
+    const ParameterUnits units = parameterUnits(recording.forceUnit, recording.positionUnit);
+    const QString unit[] = {units.m, units.b, units.k};
+    QStringList rows;
+    for (const Estimate& estimate : identification.estimates) {
+        const CsvNumbers numbers = csvNumbers(identification, estimate);
+        QStringList cells{file, toString(estimate.estimator), toString(estimate.status),
+                          isRecommended(identification, estimate) ? u"yes"_qs : u"no"_qs};
+        for (std::size_t i = 0; i < 3; ++i)
+            cells << exactText(numbers.values[i]) << exactText(numbers.halves[i]) << unit[i];
+        cells << numbers.intervals << exactText(estimate.fit.simulationPercent)
+              << toString(identification.validity.verdict) << QString();
+        rows << csvRow(cells);
+    }
+    return rows.join(u'\n');
+}
+
+/// The row of a file that could not be read.
+QString identificationCsv(const QString& file, const Error& error)
+{
+    QStringList cells(csvColumns().size(), QString());
+    cells.front() = file;
+    cells.back() = error.describe();
+    return csvRow(cells);
 }
 
 /// The squeeze that every estimate is held against, where one was named.

@@ -47,7 +47,7 @@ EfficiencyOptions readEfficiencyOptions(CommandLine& line)
     return options;
 }
 
-QString percent(double value)
+QString coverageText(double value)
 {
     return QString::number(value, 'f', 1).rightJustified(7);
 }
@@ -61,7 +61,7 @@ QString rowText(const SettingEfficiency& row)
         text += QString::number(parameter.ratio, 'f', 3).rightJustified(8);
     text += u"  "_qs;
     for (const ParameterEfficiency& parameter : row.parameters)
-        text += percent(parameter.coveragePercent);
+        text += coverageText(parameter.coveragePercent);
     return text + QString::number(row.runs - row.used).rightJustified(8);
 }
 

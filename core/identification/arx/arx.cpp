@@ -2,7 +2,6 @@
 #include "core/identification/arx/arx.h"
 
 #include "core/base/words.h"
-#include "core/identification/arx/arx_mapping.h"
 #include "core/identification/model/lag_alignment.h"
 #include "core/identification/noise/residual_tests.h"
 #include "core/math/decompositions.h"

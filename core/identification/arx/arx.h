@@ -3,6 +3,9 @@
 
 #include "core/identification/model/estimate.h"
 
+#include <Eigen/Core>
+
+#include <optional>
 #include <vector>
 
 namespace gripscope {
@@ -34,5 +37,23 @@ struct ArxOptions {
 [[nodiscard]] std::optional<ArxCoefficients> arxCoefficients(const std::vector<double>& force,
                                                              const std::vector<double>& position,
                                                              const ArxOptions& options);
+
+/// m, b, k of y[t] + a1 y[t-1] + a2 y[t-2] = b1 u[t-1] by central differences of m x'' + b x' + k x = F:
+///     m = T^2 (1 + a2) / (2 b1),   b = T (1 - a2) / b1,   k = (1 + a1 + a2) / b1.
+/// Nothing unless b1 > 0, |a2| < 1 and 1 + a1 + a2 > 0.
+[[nodiscard]] std::optional<MassDampingStiffness> centralDifferenceMapping(double a1, double a2, double b1,
+                                                                           double sampleTime_s);
+/// d (m, b, k) / d (a1, a2, b1).
+[[nodiscard]] Eigen::Matrix3d centralDifferenceJacobian(double a1, double a2, double b1, double sampleTime_s);
+
+/// m, b, k from the poles and the static gain, exact for a sampled second-order system; numeratorSum = b1 +
+/// b2 (...).
+///     s = -ln a2 / 2T,  c = -a1 / (2 sqrt a2),  wn^2 = s^2 + (acos c / T)^2  or  s^2 - (acosh c / T)^2,
+///     k = (1 + a1 + a2) / numeratorSum,  m = k / wn^2,  b = 2 s m.
+/// Nothing unless 0 < a2 < 1, c > -1, both poles are stable, and all three come out positive.
+[[nodiscard]] std::optional<MassDampingStiffness> poleMapping(double a1, double a2, double numeratorSum,
+                                                              double sampleTime_s);
+/// d (m, b, k) / d (a1, a2, numeratorSum) where poleMapping() gives something.
+[[nodiscard]] Eigen::Matrix3d poleJacobian(double a1, double a2, double numeratorSum, double sampleTime_s);
 
 } // namespace gripscope

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/frequency/model_response.h"
-
+#include "core/identification/frequency/frequency_response.h"
 #include "core/identification/model/lag_alignment.h"
 #include "core/identification/periodic/periodic_response.h"
 

@@ -2,7 +2,6 @@
 #include "core/identification/instrumental/instrumental_variables.h"
 
 #include "core/base/words.h"
-#include "core/identification/instrumental/instrumental_variables_search.h"
 #include "core/identification/model/discretization.h"
 #include "core/identification/model/identifiability.h"
 #include "core/identification/output_error/completed_record.h"

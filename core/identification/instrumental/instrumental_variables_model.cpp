@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/instrumental/instrumental_variables_search.h"
+#include "core/identification/instrumental/instrumental_variables.h"
 #include "core/identification/model/exact_step.h"
 #include "core/math/decompositions.h"
 #include "core/math/sequential_qr.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/math/matrix_exponential.h"
+#include "core/math/decompositions.h"
 #include "core/signal/recording/recording.h"
 
 #include <Eigen/Core>

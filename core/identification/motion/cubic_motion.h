@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/identification/motion/collocation_step.h"
 #include "core/identification/motion/motion_integrator.h"
 
 #include <Eigen/Core>
@@ -10,6 +9,38 @@
 #include <deque>
 
 namespace gripscope {
+
+/// The answers of m x'' + b x' + k x = F over a step, as products: to its start, to a force F(0) + F' t and
+/// to a force that is a polynomial through the nodes of Gauss's quadrature,
+///     x_i = P_i (x(0), v(0), F(0), F') + sum_j K_ij g_j,   K_ij = integral_0^ti h(ti - t) l_j(t) dt,
+/// h the answer to an impulse, l_j Lagrange's polynomial of node j (the variation of constants, collocated:
+/// Hochbruck and Ostermann 2010, 2.4). Exact to rounding but for the polynomial.
+struct CollocationStep {
+    static constexpr int nodes = 6;
+    using AtNodes = Eigen::Matrix<double, nodes, 1>;
+    using EndByNode = Eigen::Matrix<double, 2, nodes>;
+    /// Of x(0), v(0), F(0) and F'.
+    using Given = Eigen::Matrix<double, 4, 1>;
+
+    double duration = 0;
+    Eigen::Matrix<double, nodes, 4> positions, speeds;                 ///< at the nodes, from what is given
+    Eigen::Matrix<double, nodes, nodes> positionsByNode, speedsByNode; ///< from the force at each
+    Eigen::Matrix<double, 2, 4> end;                                   ///< position and speed after the step
+    EndByNode endByNode;
+    AtNodes times; ///< of the nodes
+    AtNodes
+        lastDegree; ///< of the values at the nodes: Legendre's coefficient of the polynomial's last degree
+
+    /// x = linear - K k3 x^3, K `positionsByNode`, k3 `cubic`; what is left moves the step's end by less than
+    /// rounding: what a round changes, or, as each changes the same share of the one before, what the next
+    /// would. False: it does not settle.
+    [[nodiscard]] bool settle(double cubic, const AtNodes& linear, AtNodes& x) const;
+    /// W of W (I + K diag(c)) = G diag(c), K `positionsByNode`, c `bend`, G `endByNode`.
+    [[nodiscard]] EndByNode bentBack(const AtNodes& bend) const;
+};
+
+/// The duration: at most about the shortest of the part's own times, 1 / (b/m + sqrt(k/m)).
+[[nodiscard]] CollocationStep collocationStep(double mass, double damping, double stiffness, double duration);
 
 /// What MotionIntegrator does where a cubic spring is all that bends the motion: the linear part goes by the
 /// products of CollocationStep, the cubic spring's force is its polynomial g_j = -k3 x_j^3, settled by
@@ -61,7 +92,7 @@ private:
     using P = MotionParameter;
     static constexpr int nodes = CollocationStep::nodes;
     using AtNodes = CollocationStep::AtNodes;
-    using EndByNode = Eigen::Matrix<double, 2, nodes>;
+    using EndByNode = CollocationStep::EndByNode;
     using Slopes = typename SlopesOf<Number>::Type;
 
     [[nodiscard]] const Number& of(P parameter) const { return m_c[static_cast<std::size_t>(parameter)]; }
@@ -109,7 +140,7 @@ private:
         const double x0 = given(0);
         AtNodes x = linear - valueOf(P::Cubic) * x0 * x0 *
                                  (x0 * step.positions.col(2) + 3 * given(1) * step.positions.col(3));
-        if (!settle(step, linear, x))
+        if (!step.settle(valueOf(P::Cubic), linear, x))
             return false;
         const AtNodes cubes = x.array().cube();
         const Eigen::Vector2d end = step.end * given - valueOf(P::Cubic) * (step.endByNode * cubes);
@@ -119,25 +150,6 @@ private:
             return false;
         moveTo(step, given, end, x);
         return true;
-    }
-
-    /// x = linear - K k3 x^3; what is left moves the step's end by less than rounding: what a round changes,
-    /// or, as each changes the same share of the one before, what the next would. False: it does not settle.
-    [[nodiscard]] bool settle(const CollocationStep& step, const AtNodes& linear, AtNodes& x) const
-    {
-        constexpr int mostRounds = 12;
-        const double cubic = valueOf(P::Cubic);
-        double before = 0;
-        for (int round = 0; round < mostRounds; ++round) {
-            const AtNodes next = linear - step.positionsByNode * (cubic * x.array().cube()).matrix();
-            const double change = (next - x).cwiseAbs().maxCoeff();
-            x = next;
-            const double enough = settled * x.cwiseAbs().maxCoeff();
-            if (change <= enough || (change < 0.1 * before && change * change <= enough * before))
-                return true;
-            before = change;
-        }
-        return false;
     }
 
     void moveTo(const CollocationStep& step, const CollocationStep::Given& given, const Eigen::Vector2d& end,
@@ -161,7 +173,7 @@ private:
     void moveSlopes(const CollocationStep& step, const CollocationStep::Given& given, const AtNodes& x)
     {
         const AtNodes bend = 3 * valueOf(P::Cubic) * x.array().square();
-        const EndByNode back = bentBack(step, bend);
+        const EndByNode back = step.bentBack(bend);
         const EndByNode toForces = step.endByNode - back * step.positionsByNode;
         const Eigen::Matrix2d toStart =
             step.end.template leftCols<2>() - back * step.positions.template leftCols<2>();
@@ -180,25 +192,6 @@ private:
         m_x.slope = slopeOf(0);
         m_v.slope = slopeOf(1);
     }
-    /// W, transposed by Gauss's elimination; no pivots, since the matrix is close to the identity where the
-    /// step settles.
-    static EndByNode bentBack(const CollocationStep& step, const AtNodes& bend)
-    {
-        Eigen::Matrix<double, nodes, nodes + 2, Eigen::RowMajor> system;
-        system.template leftCols<nodes>() = bend.asDiagonal() * step.positionsByNode.transpose();
-        system.template leftCols<nodes>().diagonal().array() += 1;
-        system.template rightCols<2>() = bend.asDiagonal() * step.endByNode.transpose();
-        for (int k = 0; k < nodes; ++k) {
-            const double inverse = 1 / system(k, k);
-            system.row(k) *= inverse;
-            for (int i = k + 1; i < nodes; ++i)
-                system.row(i) -= system(i, k) * system.row(k);
-        }
-        for (int k = nodes - 1; k > 0; --k)
-            for (int i = 0; i < k; ++i)
-                system.template rightCols<2>().row(i) -= system(i, k) * system.template rightCols<2>().row(k);
-        return system.template rightCols<2>().transpose();
-    }
     /// At the nodes for changes of mass, damping, stiffness, cubic spring and offset of the force.
     [[nodiscard]] Eigen::Matrix<double, nodes, 5>
     forcesOfChanges(const CollocationStep& step, const CollocationStep::Given& given, const AtNodes& x) const
@@ -213,7 +206,7 @@ private:
         return forces;
     }
 
-    static constexpr double settled = 1e-13, smallest = 1e-7;
+    static constexpr double smallest = 1e-7;
     static constexpr int mostHalvings = 3;
     const MotionTerms m_terms;
     const Coefficients m_c;

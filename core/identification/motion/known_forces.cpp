@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/motion/known_forces.h"
-
 #include "core/identification/model/discretization.h"
+#include "core/identification/motion/motion_search.h"
 
 namespace gripscope {
 

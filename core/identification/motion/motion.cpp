@@ -5,8 +5,6 @@
 #include "core/base/words.h"
 #include "core/identification/model/evidence.h"
 #include "core/identification/model/identifiability.h"
-#include "core/identification/motion/known_forces.h"
-#include "core/identification/motion/motion_errors.h"
 #include "core/identification/motion/motion_search.h"
 #include "core/identification/output_error/output_error.h"
 

@@ -49,7 +49,7 @@ struct MotionOptions : ContinuousTimeOptions {
 /// error is above half of it) is left out as well: the spring alone, y = F / k + offset.
 ///
 /// Where samples were lost their forces are those that output error finds, at first by m, b and k alone, then
-/// in positions without what the further terms add (known_forces.h); their rows are skipped, and the errors
+/// in positions without what the further terms add (motion_search.h); their rows are skipped, and the errors
 /// grow as those of output error do.
 [[nodiscard]] Estimate estimateMotion(const std::vector<double>& force, const std::vector<double>& position,
                                       const MotionOptions& options);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/motion/motion_errors.h"
-
+#include "core/identification/motion/motion_search.h"
 #include "core/identification/noise/noise_model.h"
 #include "core/identification/noise/residual_noise.h"
 #include "core/math/decompositions.h"

@@ -5,6 +5,7 @@
 #include "core/identification/motion/friction_motion.h"
 #include "core/identification/motion/linear_motion.h"
 #include "core/identification/motion/motion_integrator.h"
+#include "core/math/dual.h"
 #include "core/math/sequential_qr.h"
 
 #include <algorithm>

@@ -1,14 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/identification/motion/motion.h"
 #include "core/identification/motion/motion_model.h"
+#include "core/identification/output_error/completed_record.h"
 #include "core/math/levenberg_marquardt.h"
 
+#include <Eigen/Core>
+
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace gripscope {
+
+/// A motion's problem with every force known. At lost samples these are what output error finds; where the
+/// terms have no mass or no spring, which output error does not know, straight lines where it finds nothing.
+struct KnownForces {
+    CompletedRecord completed;
+    MotionProblem problem;
+    double errorFactor = 1; ///< by which the errors grow because lost forces had to be found
+
+    /// Nothing was lost, or what was lost has been found; else `completed.outputError` says why not.
+    [[nodiscard]] bool areKnown() const
+    {
+        return completed.lost.empty() || completed.outputError.parameters.has_value();
+    }
+};
+
+[[nodiscard]] KnownForces knownForces(const std::vector<double>& force, const std::vector<double>& position,
+                                      const MotionOptions& options);
+
+/// The lost forces once more, from positions without what the further terms of `found` add to the motion of
+/// its m, b and k. Nothing where no sample was lost, or where output error finds no forces.
+[[nodiscard]] std::optional<KnownForces> knownForcesAgain(const KnownForces& known, const Estimate& found,
+                                                          const MotionOptions& options);
 
 /// Where the search can begin, the candidate whose simulation fits best first; at most three.
 ///  - Least squares on state-variable filters of some bandwidths (Young 1981) of the equation itself, with
@@ -46,5 +73,35 @@ struct MotionSearchOptions {
 /// of the search, until it no longer does.
 [[nodiscard]] MotionSearchResult searchMotion(const MotionProblem& problem, const MotionPoint& start,
                                               const MotionSearchOptions& options);
+
+// The errors of a motion's parameters where its search ended. `scales`: errorScales().
+
+/// What the parameters' variances are in: 1 for a logarithm is the parameter itself.
+[[nodiscard]] Eigen::VectorXd errorScales(const MotionProblem& problem, const MotionPoint& point);
+
+/// (S'S)^-1 S' of the parameters, in the channels' units: a row a sample, zero where it was not measured.
+[[nodiscard]] Eigen::MatrixXd influencesOf(const MotionProblem& problem, const MotionSearchResult& search,
+                                           const MotionRows& rows, const Eigen::VectorXd& scales);
+
+/// s^2 (J'J)^-1 of the parameters; nothing where it is no covariance.
+[[nodiscard]] std::optional<Eigen::MatrixXd> whiteCovariance(const MotionProblem& problem,
+                                                             const MotionSearchResult& search,
+                                                             const Eigen::VectorXd& scales);
+
+/// With what is known of the friction as one more, independent measurement of it, of this variance.
+[[nodiscard]] Eigen::MatrixXd withKnownFriction(const Eigen::MatrixXd& covariance, Eigen::Index friction,
+                                                double variance);
+
+/// Under the autoregressive noise that the residuals hold, which becomes that of the estimate; nothing where
+/// they hold none.
+[[nodiscard]] std::optional<Eigen::MatrixXd> colouredCovariance(const MotionRows& rows,
+                                                                const Eigen::VectorXd& scales,
+                                                                double positionScale, Estimate& estimate);
+
+/// How large the friction may be: the best value were it free to be below zero, and 1.645 of its errors.
+/// Nothing where the motion has none.
+[[nodiscard]] std::optional<double> frictionLimit(const MotionProblem& problem,
+                                                  const MotionSearchResult& search, const MotionValues& found,
+                                                  const Eigen::MatrixXd& covariance);
 
 } // namespace gripscope

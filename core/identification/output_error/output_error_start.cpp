@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/arx/arx_mapping.h"
+#include "core/identification/arx/arx.h"
 #include "core/identification/model/identifiability.h"
 #include "core/identification/output_error/filter_regression.h"
 #include "core/identification/output_error/output_error_problem.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/exchange/server_people.h"
-
 #include "core/base/words.h"
+#include "core/library/exchange/server_types.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/person_table.h"
 

@@ -2,7 +2,6 @@
 #include "core/library/exchange/server_types.h"
 
 #include "core/base/words.h"
-#include "core/library/exchange/server_people.h"
 #include "core/library/ledger/merged_ledger.h"
 #include "core/library/merge/known_history.h"
 #include "core/library/merge/meeting_table.h"
@@ -112,7 +111,7 @@ Expected<void> copyRows(Database& server, Database& copy, const QString& table,
 }
 
 /// What is in force, as the server itself has worked it out.
-Expected<PlantState> stateAt(Database& server, qint64 version)
+Expected<PlantState> plantStateAt(Database& server, qint64 version)
 {
     std::map<std::pair<QString, int>, QString> recipes;
     Statement query(server, readingServer(), u"SELECT type_id, version, id FROM type_versions"_s);
@@ -184,7 +183,7 @@ Expected<ServerTypes> readServerTypes(Database& server, Database& station)
     ASSIGN_OR_RETURN(const qint64 version, change_table::newestVersion(server));
     ASSIGN_OR_RETURN(types.seen, seenVersions(server));
     types.seen[types.server] = version;
-    ASSIGN_OR_RETURN(types.state, stateAt(server, version));
+    ASSIGN_OR_RETURN(types.state, plantStateAt(server, version));
     return types;
 }
 

@@ -3,18 +3,19 @@
 
 #include "core/base/csv.h"
 #include "core/base/json_value.h"
-#include "core/library/history/conformity_field.h"
 #include "core/library/history/history_view.h"
 #include "core/library/tables/estimate_tables.h"
 #include "core/library/tables/inspection_tables.h"
+#include "core/quality/conformity/conformity_json.h"
 #include "core/signal/recording/units.h"
 
 #include <QJsonArray>
+#include <QJsonDocument>
 #include <QJsonObject>
 #include <QStringList>
 
+#include <algorithm>
 #include <array>
-#include <iterator>
 
 namespace gripscope {
 
@@ -23,7 +24,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 using Entry = HistoryEntry;
-using Need = HistorySelection;
 
 QString exactTime(const QDateTime& time)
 {
@@ -149,23 +149,6 @@ HistoryField verdictOfInspection()
         }};
 }
 
-/// The one that identified the squeeze, else the one that judged it.
-QString programSql()
-{
-    return u"COALESCE(NULLIF(e.program, ''), i.program, '')"_s;
-}
-
-QString versionSql()
-{
-    return u"COALESCE(i.library_version, NULLIF(g.library_version, 0))"_s;
-}
-
-QString validityOrderSql()
-{
-    return u"CASE %1 WHEN 'valid' THEN 0 WHEN 'suspect' THEN 1 WHEN 'invalid' THEN 2 END"_s.arg(
-        historyValiditySql());
-}
-
 std::vector<HistoryField> fieldsOfTheVerdict()
 {
     return {numberOfInspection(),
@@ -227,7 +210,7 @@ std::vector<HistoryField> fieldsOfTheRecord()
          [](const Entry& entry) { return QStringList{entry.accepted ? u"yes"_s : u"no"_s}; },
          [](const Entry& entry) { return QJsonValue(entry.accepted); }},
         textField<&Entry::estimator>("estimator", u"COALESCE(e.estimator, '')"_s),
-        textField<&Entry::program>("software", programSql()),
+        textField<&Entry::program>("software", historyProgramSql()),
         textField<&Entry::graspId>("key", u"g.id"_s),
         {"reason", "reason", u"COALESCE(i.reasons, '[]')"_s,
          [](Statement& row, Entry& entry) { entry.reason = inspection_table::joinReasons(row.takeText()); },
@@ -293,13 +276,46 @@ HistoryField versionField()
 {
     return {"library_version",
             "library_version",
-            versionSql(),
+            historyVersionSql(),
             [](Statement& row, Entry& entry) { entry.libraryVersion = row.takeOptionalInteger(); },
             [](const Entry& entry) {
                 return QStringList{entry.libraryVersion ? QString::number(*entry.libraryVersion) : QString()};
             },
             [](const Entry& entry) {
                 return entry.libraryVersion ? QJsonValue(*entry.libraryVersion) : QJsonValue();
+            }};
+}
+
+/// The worst specific risk of its quantities.
+std::optional<double> conformityRisk(const Entry& entry)
+{
+    std::optional<double> worst;
+    if (entry.conformityValues)
+        for (const std::optional<QuantityConformity>& quantity : entry.conformityValues->quantities)
+            if (quantity && quantity->risk)
+                worst = std::max(worst.value_or(0), *quantity->risk);
+    return worst;
+}
+
+void takeConformity(Statement& row, Entry& entry)
+{
+    entry.conformity = conformityDecisionFromString(row.takeText());
+    entry.conformityValues = conformityFromJson(QJsonDocument::fromJson(row.takeText().toUtf8()).object());
+}
+
+HistoryField conformityField()
+{
+    return {"conformity",
+            "conformity,conformity_risk",
+            u"COALESCE(i.conformity, ''), COALESCE(i.conformity_values, '')"_s,
+            takeConformity,
+            [](const Entry& entry) {
+                return QStringList{entry.conformity ? toString(*entry.conformity) : QString(),
+                                   exactText(conformityRisk(entry))};
+            },
+            [](const Entry& entry) {
+                return entry.conformityValues ? QJsonValue(conformityJson(*entry.conformityValues))
+                                              : QJsonValue();
             }};
 }
 
@@ -342,134 +358,18 @@ std::vector<HistoryField> fieldsOfThatTime()
         numberAtItsStation()};
 }
 
-template <double MassDampingStiffness::*member>
-QVariant inSi(const Entry& entry)
-{
-    if (!entry.parameters)
-        return {};
-    return (*entry.parameters).*member * siFactor(entry.forceUnit, entry.positionUnit).value_or(1);
-}
-
-template <QString Entry::*member>
-QVariant textOf(const Entry& entry)
-{
-    return entry.*member;
-}
-
-QVariant numberOr(const std::optional<double>& number)
-{
-    return number ? QVariant(*number) : QVariant();
-}
-
-QString word(const QString& column)
-{
-    return u"LOWER(NULLIF(%1, ''))"_s.arg(column);
-}
-
-std::vector<HistoryColumnFacts> columnsOfTheVerdict()
-{
-    return {{HistoryColumn::Number, ColumnFormat::Count, QT_TRANSLATE_NOOP("Words", "Number"),
-             [](const Entry& entry) { return entry.number > 0 ? QVariant(entry.numberText()) : QVariant(); },
-             u"i.number"_s, Need::Inspections},
-            {HistoryColumn::Time,
-             ColumnFormat::Time,
-             QT_TRANSLATE_NOOP("Words", "Time"),
-             [](const Entry& entry) { return QVariant(entry.time); },
-             {}},
-            {HistoryColumn::Kind, ColumnFormat::Kind, QT_TRANSLATE_NOOP("Words", "Kind"),
-             [](const Entry& entry) { return QVariant(int(entry.kind)); },
-             u"CASE WHEN g.type_id IS NULL THEN 0 ELSE 1 END"_s},
-            {HistoryColumn::Outcome, ColumnFormat::Outcome, QT_TRANSLATE_NOOP("Words", "Outcome"),
-             [](const Entry& entry) {
-                 const std::optional<InspectionOutcome> outcome = entry.outcome();
-                 return outcome ? QVariant(int(*outcome)) : QVariant();
-             },
-             historyOutcomeSql(), Need::Inspections},
-            {HistoryColumn::Validity, ColumnFormat::Validity, QT_TRANSLATE_NOOP("Words", "Validity"),
-             [](const Entry& entry) {
-                 const int place = entry.validity ? int(*entry.validity) : -1;
-                 return entry.verdict ? QVariant(place) : QVariant();
-             },
-             validityOrderSql(), Need::Inspections},
-            {HistoryColumn::Expected, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Expected"),
-             textOf<&Entry::expectedType>, word(u"i.expected_type"_s), Need::Inspections},
-            {HistoryColumn::Type, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Type"),
-             textOf<&Entry::type>, word(historyTypeSql()), Need::Inspections | Need::Types},
-            {HistoryColumn::Posterior, ColumnFormat::Probability, QT_TRANSLATE_NOOP("Words", "Posterior"),
-             [](const Entry& entry) { return numberOr(entry.tellingPosterior()); },
-             u"CASE WHEN i.verdict IN ('type', 'inconclusive') THEN i.posterior END"_s, Need::Inspections}};
-}
-
-std::vector<HistoryColumnFacts> columnsOfTheEstimate()
-{
-    return {{HistoryColumn::Mass, ColumnFormat::Quantity, QT_TRANSLATE_NOOP("Words", "Mass m"),
-             inSi<&MassDampingStiffness::m>, historySiSql(u"e.m"_s), Need::Estimates},
-            {HistoryColumn::Damping, ColumnFormat::Quantity, QT_TRANSLATE_NOOP("Words", "Damping b"),
-             inSi<&MassDampingStiffness::b>, historySiSql(u"e.b"_s), Need::Estimates},
-            {HistoryColumn::Stiffness, ColumnFormat::Quantity, QT_TRANSLATE_NOOP("Words", "Stiffness k"),
-             inSi<&MassDampingStiffness::k>, historySiSql(u"e.k"_s), Need::Estimates},
-            {HistoryColumn::Fit, ColumnFormat::Percent, QT_TRANSLATE_NOOP("Words", "Simulation fit"),
-             [](const Entry& entry) { return numberOr(entry.simulationFitPercent); },
-             u"e.simulation_fit_percent"_s, Need::Estimates},
-            {HistoryColumn::Seconds, ColumnFormat::Seconds, QT_TRANSLATE_NOOP("Words", "Length"),
-             [](const Entry& entry) { return numberOr(entry.seconds); }, u"i.seconds"_s, Need::Inspections}};
-}
-
-std::vector<HistoryColumnFacts> columnsOfTheRecord()
-{
-    return {
-        {HistoryColumn::Operator, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Operator"),
-         textOf<&Entry::operatorName>, word(u"g.operator_name"_s)},
-        {HistoryColumn::Device, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Gripper"),
-         [](const Entry& entry) { return QVariant(u"%1 %2"_s.arg(entry.device, entry.serial).trimmed()); },
-         word(historyDeviceSql())},
-        {HistoryColumn::Batch, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Batch"), textOf<&Entry::batch>,
-         word(u"o.name"_s), Need::Batches},
-        {HistoryColumn::Estimator, ColumnFormat::Estimator, QT_TRANSLATE_NOOP("Words", "Estimator"),
-         textOf<&Entry::estimator>, u"e.estimator"_s, Need::Estimates},
-        {HistoryColumn::Program, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Software"),
-         textOf<&Entry::program>, programSql(), Need::Estimates | Need::Inspections},
-        {HistoryColumn::LibraryVersion, ColumnFormat::Count, QT_TRANSLATE_NOOP("Words", "Library version"),
-         [](const Entry& entry) {
-             return entry.libraryVersion ? QVariant(*entry.libraryVersion) : QVariant();
-         },
-         versionSql(), Need::Inspections},
-        {HistoryColumn::Voided, ColumnFormat::Text, QT_TRANSLATE_NOOP("Words", "Voided"),
-         textOf<&Entry::voided>, word(historyVoidedSql()), Need::Inspections},
-        {HistoryColumn::Conformity, ColumnFormat::Conformity, QT_TRANSLATE_NOOP("Words", "Tolerance limits"),
-         [](const Entry& entry) { return entry.conformity ? QVariant(int(*entry.conformity)) : QVariant(); },
-         conformityOrderSql(), Need::Inspections}};
-}
-
-template <typename Row>
-std::vector<Row> together(std::vector<Row> first, std::vector<Row> second, std::vector<Row> third,
-                          std::vector<Row> fourth = {})
-{
-    for (std::vector<Row>* more : {&second, &third, &fourth})
-        first.insert(first.end(), std::make_move_iterator(more->begin()),
-                     std::make_move_iterator(more->end()));
-    return first;
-}
-
 } // namespace
 
 const std::vector<HistoryField>& historyFields()
 {
     // What came later stands behind: whoever reads the CSV counts on the order.
-    static const auto fields =
-        together(fieldsOfTheVerdict(), fieldsOfTheEstimate(), fieldsOfTheRecord(), fieldsOfThatTime());
+    static const auto fields = [] {
+        std::vector<HistoryField> all = fieldsOfTheVerdict();
+        for (const auto& more : {fieldsOfTheEstimate(), fieldsOfTheRecord(), fieldsOfThatTime()})
+            all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }();
     return fields;
-}
-
-const std::vector<HistoryColumnFacts>& historyColumns()
-{
-    static const auto columns = together(columnsOfTheVerdict(), columnsOfTheEstimate(), columnsOfTheRecord());
-    return columns;
-}
-
-const HistoryColumnFacts& factsOf(HistoryColumn column)
-{
-    return historyColumns()[std::size_t(column)];
 }
 
 } // namespace gripscope

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/history/history_list.h"
-
 #include "core/base/words.h"
 #include "core/library/history/history_view.h"
 #include "core/library/sql/rows.h"

@@ -48,6 +48,16 @@ QString historyDeviceSql()
     return u"TRIM(g.device_name || ' ' || g.device_serial)"_s;
 }
 
+QString historyProgramSql()
+{
+    return u"COALESCE(NULLIF(e.program, ''), i.program, '')"_s;
+}
+
+QString historyVersionSql()
+{
+    return u"COALESCE(i.library_version, NULLIF(g.library_version, 0))"_s;
+}
+
 QString historyIsVoidedSql()
 {
     return u"CASE WHEN i.id IN (SELECT inspection_id FROM inspection_voids) THEN 1 ELSE 0 END"_s;

@@ -6,6 +6,7 @@
 #include "core/library/history/history_text.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/estimate_tables.h"
+#include "core/library/tables/inspection_tables.h"
 #include "core/library/tables/type_tables.h"
 #include "core/signal/recording/units.h"
 

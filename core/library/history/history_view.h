@@ -32,6 +32,23 @@ inline constexpr qint64 mostPoints = 20'000;
 
 } // namespace gripscope::history_view
 
+/// Lists of what a query finds, however many there are; see HistoryList.
+namespace gripscope::history_list {
+
+[[nodiscard]] Expected<HistoryList> find(Database& database, const HistoryQuery& query);
+/// One stretch further: more of its rows, counts and marks are known then.
+[[nodiscard]] Expected<void> goOn(Database& database, HistoryList& list);
+/// To the end.
+[[nodiscard]] Expected<void> goThrough(Database& database, HistoryList& list);
+/// Rows `first` to `first + count - 1`, as many of them as there are.
+[[nodiscard]] Expected<std::vector<QString>> keys(Database& database, const HistoryList& list, qint64 first,
+                                                  qint64 count);
+/// Which row a squeeze is; nothing where it is none of them.
+[[nodiscard]] Expected<std::optional<qint64>> rowOf(Database& database, const HistoryList& list,
+                                                    const QString& key);
+
+} // namespace gripscope::history_list
+
 namespace gripscope {
 
 // SQL over squeezes `g`, their inspections `i` and the batches `o` of these, first estimates `e`, and where
@@ -46,6 +63,10 @@ namespace gripscope {
 [[nodiscard]] QString historyValiditySql();
 /// Name and serial number of the gripper; empty where it is not known.
 [[nodiscard]] QString historyDeviceSql();
+/// The program that identified the squeeze, else the one that judged it; empty where it is not known.
+[[nodiscard]] QString historyProgramSql();
+/// Of the library when it was stored; NULL where it is not known.
+[[nodiscard]] QString historyVersionSql();
 /// 1 for an inspection that does not count, else 0.
 [[nodiscard]] QString historyIsVoidedSql();
 /// Why an inspection does not count; empty where it does.

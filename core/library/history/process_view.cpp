@@ -3,7 +3,6 @@
 
 #include "core/base/vector_registers.h"
 #include "core/base/words.h"
-#include "core/library/sql/row_cursor.h"
 #include "core/library/sql/rows.h"
 #include "core/library/tables/type_state_table.h"
 #include "core/signal/recording/units.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/link/link_threads.h"
+#include "core/library/link/shared_link.h"
 #include "core/library/link/station_hold.h"
 
 #include <algorithm>

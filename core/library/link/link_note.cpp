@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/link/link_note.h"
-
 #include "core/base/bounded_file.h"
 #include "core/base/words.h"
+#include "core/library/link/shared_link.h"
 #include "core/library/sql/library_location.h"
 
 #include <QJsonDocument>

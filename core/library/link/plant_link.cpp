@@ -3,7 +3,6 @@
 
 #include "core/base/words.h"
 #include "core/library/library.h"
-#include "core/library/link/link_threads.h"
 #include "core/library/link/shared_link.h"
 
 namespace gripscope {

@@ -3,16 +3,34 @@
 
 #include "core/library/exchange/library_exchange.h"
 #include "core/library/library_guest.h"
-#include "core/library/link/link_note.h"
 #include "core/library/link/plant_link.h"
 #include "core/library/sql/hangup.h"
+
+#include <QDateTime>
 
 #include <array>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 
 namespace gripscope {
+
+/// What a station remembers of its plant's server, so that a program that starts without the network can
+/// tell what waits. Only told to people: what is brought follows from what the server has.
+struct LinkNote {
+    QString server;        ///< its address, without a password
+    QDateTime lastReached; ///< UTC
+    DeliveredLinks delivered;
+    friend bool operator==(const LinkNote&, const LinkNote&) = default;
+};
+
+/// Beside the library.
+[[nodiscard]] QString linkNoteFile(const QString& library);
+/// Nothing where there is none of this server, or none that can be read.
+[[nodiscard]] std::optional<LinkNote> readLinkNote(const QString& file, const QString& server);
+/// All of it or nothing, whatever ends the program. StorageFailed.
+[[nodiscard]] Expected<void> writeLinkNote(const QString& file, const LinkNote& note);
 
 using LinkClock = std::chrono::steady_clock;
 enum LinkThread { ExchangeThread, WatchThread };
@@ -62,5 +80,12 @@ private:
     std::optional<DeliveredLinks> m_delivered;
     std::optional<LinkClock::time_point> m_stepBegan;
 };
+
+/// Brings and fetches until the link ends; may wait for the network.
+void exchangeUntilEnd(SharedLink& state);
+
+/// Counts what waits, notes how far the server is, and hangs up on a server that takes too long, until the
+/// link ends; never waits for the network.
+void watchUntilEnd(SharedLink& state);
 
 } // namespace gripscope

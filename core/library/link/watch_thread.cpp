@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/exchange/waiting_count.h"
-#include "core/library/link/link_threads.h"
+#include "core/library/link/shared_link.h"
 #include "core/library/link/station_hold.h"
 
 namespace gripscope {

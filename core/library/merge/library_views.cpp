@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/merge/library_views.h"
-
 #include "core/base/words.h"
 #include "core/library/ledger/ledgered_tables.h"
 #include "core/library/ledger/merged_rows.h"
+#include "core/library/merge/row_taker.h"
 #include "core/library/records/library_change.h"
 #include "core/library/sql/statement.h"
 

@@ -1,15 +1,59 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
 #include "core/library/ledger/ledger_leaf.h"
+#include "core/library/ledger/ledgered_tables.h"
 #include "core/library/ledger/merged_rows.h"
-#include "core/library/merge/library_views.h"
-#include "core/library/merge/taken_tables.h"
 
+#include <QString>
+
+#include <map>
+#include <optional>
 #include <set>
 #include <span>
+#include <vector>
 
 namespace gripscope {
+
+class Database;
+
+/// How rows of a table come from another library.
+struct TakenTable {
+    enum class Kind {
+        Taken,       ///< into the table itself
+        ForTheRecord ///< beside it (MergedRow::whole): it is of its station alone
+    };
+    QString name;
+    Kind kind = Kind::Taken;
+    QString version = {}; ///< the column that names a version of the library; empty: none
+    QString number = {};  ///< the column that is numbered in each library by itself; empty: none
+    [[nodiscard]] const LedgeredTable& ledgered() const { return *ledgeredTable(name); }
+};
+
+/// All tables of the ledger, each behind those that it points to.
+[[nodiscard]] std::span<const TakenTable> takenTables();
+
+/// What versions and recipes are numbered in one library.
+struct LibraryView {
+    std::map<qint64, QString> changes;                     ///< keys of library_changes by version
+    std::set<qint64> meetings;                             ///< versions of which rows only follow from others
+    std::map<std::pair<QString, qint64>, QString> recipes; ///< keys of type_versions by type and number
+    /// The change that a version names; the one before it where that was a meeting. Empty: none.
+    [[nodiscard]] QString changeAt(qint64 version) const;
+};
+
+/// The views of the libraries that another one knows, itself among them, each read once.
+class LibraryViews {
+public:
+    LibraryViews(Database& source, QString own) : m_source(source), m_own(std::move(own)) {}
+    [[nodiscard]] Expected<const LibraryView*> of(const QString& library);
+
+private:
+    Database& m_source;
+    QString m_own;
+    std::map<QString, LibraryView> m_views;
+};
 
 /// A row in a link that is new here, as `library` has it.
 struct NewLeaf {

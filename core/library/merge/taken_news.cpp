@@ -15,7 +15,7 @@ namespace {
 
 using LeavesByTable = std::map<quint8, std::vector<NewLeaf>>;
 
-QString comparing()
+QString comparingUnits()
 {
     return Words::tr("compare the units of its types");
 }
@@ -49,7 +49,7 @@ Expected<void> requireComparableTypes(Database& source, Database& target)
     using Units = std::pair<QString, QString>;
     const auto unitsOf = [](Database& database) -> Expected<std::vector<Units>> {
         std::vector<Units> units;
-        Statement query(database, comparing(),
+        Statement query(database, comparingUnits(),
                         u"SELECT DISTINCT force_unit, position_unit FROM type_versions"_s);
         const auto done = query.forEach([&](Statement& row) {
             const QString force = row.takeText();

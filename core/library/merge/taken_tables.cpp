@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/merge/taken_tables.h"
+#include "core/library/merge/row_taker.h"
 
 #include <vector>
 

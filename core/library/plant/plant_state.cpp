@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/plant/plant_state.h"
 
-#include "core/library/plant/causality.h"
-
 #include <QJsonArray>
 
 #include <algorithm>

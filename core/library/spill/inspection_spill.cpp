@@ -2,7 +2,7 @@
 #include "core/library/spill/inspection_spill.h"
 
 #include "core/base/words.h"
-#include "core/library/spill/spill_contents.h"
+#include "core/library/spill/spill_file.h"
 #include "core/library/spill/spilled_inspection.h"
 #include "core/library/sql/time_ordered_id.h"
 

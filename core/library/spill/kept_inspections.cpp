@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/spill/kept_inspections.h"
-
 #include "core/base/words.h"
-#include "core/library/spill/spill_contents.h"
+#include "core/library/spill/inspection_spill.h"
+#include "core/library/spill/spill_file.h"
 
 #include <QFileInfo>
 

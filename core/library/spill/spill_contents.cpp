@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/spill/spill_contents.h"
+#include "core/library/ledger/library_witness.h"
+#include "core/library/spill/spill_file.h"
+#include "core/library/spill/spilled_inspection.h"
 
 namespace gripscope {
 

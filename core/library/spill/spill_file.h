@@ -7,9 +7,13 @@
 #include <QString>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace gripscope {
+
+struct ChainEnd;
+struct SpilledInspection;
 
 /// A file of fixed size that keeps a few blocks of bytes for a while. It is allocated in full before anything
 /// is put in, so that putting in needs no room on the disk; one program has it at a time (the system lets go
@@ -72,5 +76,12 @@ private:
     std::size_t m_waiting = 0;
     bool m_keep = true; ///< nothing is known yet of what it holds
 };
+
+/// How a file names the library that it belongs to, whose first link that is.
+[[nodiscard]] QByteArray spillOwner(const std::optional<ChainEnd>& birth);
+/// A library without a row has no link yet, and gets its first one later.
+[[nodiscard]] bool isSpillOwner(const QByteArray& named, const QByteArray& owner);
+/// All of a file that can be read; it is `damaged` where that is not all there is.
+[[nodiscard]] std::vector<SpilledInspection> unpackedOf(const SpillFile::Contents& contents, bool& damaged);
 
 } // namespace gripscope

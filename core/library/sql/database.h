@@ -3,7 +3,6 @@
 
 #include "core/base/error.h"
 #include "core/library/sql/file_identity.h"
-#include "core/library/sql/files_in_use.h"
 #include "core/library/sql/library_location.h"
 #include "core/library/sql/sql_dialect.h"
 #include "core/library/sql/table_rows.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/sql/files_in_use.h"
+#include "core/library/sql/file_identity.h"
 
 #include <algorithm>
 #include <mutex>

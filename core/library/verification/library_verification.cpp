@@ -9,9 +9,7 @@
 #include "core/library/sql/statement.h"
 #include "core/library/tables/audit_table.h"
 #include "core/library/tables/tally_table.h"
-#include "core/library/verification/ledger_check.h"
-#include "core/library/verification/merged_check.h"
-#include "core/library/verification/recomputation.h"
+#include "core/library/verification/library_checks.h"
 
 namespace gripscope {
 

@@ -72,7 +72,7 @@ struct LibraryVerification {
 /// Reads all of a library that this program could open, of its own version of the schema, and compares it
 /// with the ledger: nothing is written, a library in use is read as it stands at that moment. A table that
 /// cannot be read is a difference. `recomputed`: what follows from something else is worked out again, too
-/// (recomputation.h). StorageOpen, StorageCorrupt where the file cannot be read at all,
+/// (recompute()). StorageOpen, StorageCorrupt where the file cannot be read at all,
 /// StorageNewer, and StorageOpen for a library from before the ledger, which has to be opened once.
 [[nodiscard]] Expected<LibraryVerification> verifyLibrary(const QString& file, bool recomputed = false);
 /// The same of a copy, by what the second place knew of its library.

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/verification/merged_check.h"
-
 #include "core/base/words.h"
 #include "core/library/ledger/ledger_leaf.h"
 #include "core/library/ledger/merged_ledger.h"
 #include "core/library/ledger/merged_rows.h"
 #include "core/library/ledger/row_digest.h"
 #include "core/library/sql/statement.h"
+#include "core/library/verification/library_checks.h"
 #include "core/library/verification/library_verification.h"
-#include "core/library/verification/link_check.h"
 #include "core/people/audit_chain.h"
 
 #include <QJsonDocument>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/verification/recomputation.h"
-
 #include "core/base/words.h"
 #include "core/identification/identification.h"
 #include "core/library/records/enrollment_draft.h"
 #include "core/library/tables/draft_tables.h"
 #include "core/library/tables/grasp_table.h"
 #include "core/library/tables/recording_table.h"
+#include "core/library/verification/library_checks.h"
 #include "core/library/verification/library_verification.h"
 #include "core/recognition/verdict/identified_squeeze.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/agreement/agreement_json.h"
-
 #include "core/base/json_value.h"
+#include "core/quality/agreement/attribute_agreement.h"
 
 #include <QJsonArray>
+#include <QJsonObject>
 
 namespace gripscope {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/agreement/ratings.h"
-
 #include "core/base/words.h"
+#include "core/quality/agreement/attribute_agreement.h"
 
 #include <QHash>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/charts/run_rules.h"
-
 #include "core/base/words.h"
+#include "core/quality/charts/live_chart.h"
 
 #include <algorithm>
 #include <bit>

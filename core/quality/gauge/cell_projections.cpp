@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/gauge/cell_projections.h"
-
 #include "core/base/words.h"
+#include "core/quality/gauge/cell_means.h"
 
 #include <Eigen/QR>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/gauge/gauge_json.h"
-
 #include "core/base/json_value.h"
 #include "core/math/matrix_json.h"
+#include "core/quality/gauge/gauge_study.h"
 
 #include <QJsonArray>
+#include <QJsonObject>
 
 #include <algorithm>
 

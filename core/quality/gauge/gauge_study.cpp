@@ -2,9 +2,8 @@
 #include "core/quality/gauge/gauge_study.h"
 
 #include "core/base/words.h"
+#include "core/quality/gauge/cell_means.h"
 #include "core/quality/gauge/gauge_words.h"
-#include "core/quality/gauge/range_method.h"
-#include "core/quality/gauge/restricted_likelihood.h"
 
 #include <algorithm>
 #include <cmath>

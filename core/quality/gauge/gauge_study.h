@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/gauge/joint_gauge.h"
 #include "core/quality/gauge/pivotal_intervals.h"
-#include "core/quality/gauge/repeat_consistency.h"
 
 #include <QStringList>
+
+class QJsonObject;
 
 namespace gripscope {
 
@@ -61,6 +61,24 @@ struct VarianceComponent {
         percentTolerance; ///< 100 studyVariation sqrt(taken) / tolerance, of one that is given
 };
 
+/// What repeats scatter beside what the squeezes state of themselves.
+struct RepeatConsistency {
+    double chiSquared = 0; ///< sum over cells of (y - weighted mean)^2 / u^2
+    double degreesOfFreedom = 0;
+    double above = 1, below = 1; ///< P(chi-squared larger), P(smaller) if the statements are true
+    double ratio = 0;            ///< sqrt(chiSquared / degreesOfFreedom): Birge's ratio
+    double statedDeviation = 0;  ///< root mean square of the standard uncertainties
+};
+
+/// Within each combination of part, operator and station the values differ by their own standard
+/// uncertainties u alone if these are complete; then chiSquared is chi-squared (Birge 1932, Physical Review
+/// 40; Cochran 1954, Biometrics 10). Assumes errors that are independent from squeeze to squeeze: what is
+/// common to all (a sensor's calibration) belongs in u but does not scatter, so a ratio below 1 need not be
+/// wrong. Nothing where nothing was repeated. Errors: BadInput for an uncertainty that is not above 0.
+[[nodiscard]] Expected<std::optional<RepeatConsistency>>
+repeatConsistency(const GaugeLayout& layout, const Eigen::VectorXd& values,
+                  const Eigen::VectorXd& standardUncertainty);
+
 /// The study of one value.
 struct GaugeValue {
     QString name;
@@ -80,6 +98,33 @@ struct GaugeValue {
 
     [[nodiscard]] const VarianceComponent* find(GaugeComponent component) const;
 };
+
+/// One combination of the values in which parts and gauge are both uncorrelated with the other combinations.
+struct JointDirection {
+    double ratio = 0;        ///< lambda: variance of the parts over that of the gauge along it
+    double kinds = 1;        ///< sqrt(1 + 2 lambda)
+    Eigen::VectorXd weights; ///< of the values, scaled to gauge variance 1
+};
+
+/// Several values judged together.
+struct JointGauge {
+    Eigen::MatrixXd part, gauge;            ///< covariances, negative directions taken as 0
+    std::vector<JointDirection> directions; ///< the most telling first
+    double kinds = 1;                       ///< product over the directions
+    bool partProjected = false;             ///< a direction of the parts' covariance was negative
+};
+
+/// How many kinds of part can be told apart in the space of all values:
+///     kinds = product over i of sqrt(1 + 2 lambda_i) = sqrt(det(gauge + 2 part) / det(gauge)),
+/// lambda_i the generalised eigenvalues of part v = lambda gauge v. For one value that is Wheeler's
+/// discrimination ratio (Wheeler and Lyday 1989, Evaluating the Measurement Process), close to sqrt(2 lambda)
+/// where that is large; each factor is at least 1, so that a value that tells nothing takes nothing away.
+/// A volume that counts is what it is: of kinds spread evenly, not of corners that no part fills. The
+/// covariances are the multivariate method of moments from `sums` (mean squares and products, as in MANOVA),
+/// each taken to the nearest that is not negative, in the metric of repeatability (Amemiya 1985, The American
+/// Statistician 39). Nothing is said where the gauge's covariance is singular: a value that never scatters,
+/// or that others determine.
+[[nodiscard]] std::optional<JointGauge> jointGauge(const SourceSums& sums);
 
 struct GaugeStudy {
     GaugeDesign design = GaugeDesign::Crossed;
@@ -109,5 +154,9 @@ struct GaugeMeasurements {
 /// than 1e-150; Usage as rangeSums() has.
 [[nodiscard]] Expected<GaugeStudy> studyGauge(const GaugeMeasurements& measurements,
                                               const GaugeOptions& options = {});
+
+/// The document of `study gauge`. A component whose variance was estimated below 0 says so and holds
+/// "taken_as": 0, which its shares and all sums are of; an upper bound of null: there is none.
+[[nodiscard]] QJsonObject gaugeJson(const GaugeStudy& study);
 
 } // namespace gripscope

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/gauge/joint_gauge.h"
+#include "core/quality/gauge/gauge_study.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/gauge/range_method.h"
-
 #include "core/base/words.h"
 #include "core/math/normal_spread.h"
+#include "core/quality/gauge/source_sums.h"
 
 #include <algorithm>
 #include <cmath>

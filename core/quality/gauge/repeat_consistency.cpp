@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/gauge/repeat_consistency.h"
-
 #include "core/base/words.h"
 #include "core/math/distributions.h"
+#include "core/quality/gauge/gauge_study.h"
 
 #include <cmath>
 

@@ -3,7 +3,7 @@
 
 #include "core/base/words.h"
 #include "core/math/distributions.h"
-#include "core/quality/gauge/cell_projections.h"
+#include "core/quality/gauge/cell_means.h"
 
 #include <Eigen/LU>
 

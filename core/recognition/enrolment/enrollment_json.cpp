@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/enrolment/enrollment_json.h"
-
 #include "core/base/json_value.h"
+#include "core/recognition/enrolment/enrollment_guidance.h"
 
 #include <QJsonArray>
+#include <QJsonObject>
 
 namespace gripscope {
 

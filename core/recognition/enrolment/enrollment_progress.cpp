@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/enrolment/enrollment_progress.h"
-
 #include "core/base/words.h"
 #include "core/math/distributions.h"
+#include "core/recognition/enrolment/enrollment_guidance.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/predictive.h"
 #include "core/recognition/verdict/quantity_text.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/enrolment/held_out_confusion.h"
-
+#include "core/recognition/enrolment/enrollment_guidance.h"
 #include "core/recognition/types/squeeze_values.h"
 #include "core/recognition/verdict/verdict_by_space.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/enrolment/type_overlap.h"
-
 #include "core/base/words.h"
 #include "core/math/distributions.h"
 #include "core/math/gaussian.h"
+#include "core/recognition/enrolment/enrollment_guidance.h"
 #include "core/recognition/types/predictive.h"
 #include "core/recognition/types/squeeze_values.h"
 #include "core/recognition/verdict/quantity_text.h"
+#include "core/recognition/verdict/verdict_by_space.h"
 
 #include <Eigen/Cholesky>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/calibrate/frame_session.h"
-
 #include "core/base/words.h"
 #include "core/math/robust_statistics.h"
+#include "core/session/calibrate/measuring_sessions.h"
 
 #include <algorithm>
 #include <cmath>

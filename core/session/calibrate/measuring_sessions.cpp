@@ -8,6 +8,7 @@
 #include "core/signal/recording/units.h"
 
 #include <algorithm>
+#include <span>
 
 namespace gripscope {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/inspect/drift_watch.h"
-
+#include "core/session/inspect/inspect_session_private.h"
 #include "core/session/inspect/inspected_squeezes.h"
 #include "core/session/tasks/pool.h"
 

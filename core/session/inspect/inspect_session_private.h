@@ -4,8 +4,8 @@
 #include "core/library/library_service.h"
 #include "core/library/records/batch.h"
 #include "core/library/spill/inspection_spill.h"
+#include "core/quality/drift.h"
 #include "core/recognition/types/type_shift.h"
-#include "core/session/inspect/drift_watch.h"
 #include "core/session/inspect/inspect_session.h"
 #include "core/session/process/process_watch.h"
 #include "core/session/squeeze/comparable_units.h"
@@ -17,6 +17,7 @@
 #include <deque>
 #include <functional>
 #include <list>
+#include <optional>
 
 namespace gripscope {
 
@@ -178,6 +179,37 @@ private:
     qint64 m_version = 0;
     Standing m_standing;
     std::uint64_t m_requests = 0, m_stood = 0; ///< the number of the last, and of the one m_standing is from
+};
+
+/// Holds the newest inspected squeezes against the enrolment of their types while parts are inspected
+/// (findDrift(), in the thread pool); those that were recognised, so that another part is no news of the type
+/// that was expected. What the library has is read once; each squeeze that is inspected joins
+/// it. One look at a time; what comes meanwhile is looked at next.
+class DriftWatch {
+public:
+    /// So many inspections are looked back at: enough for the charts of some types.
+    static constexpr int newest = 400;
+
+    explicit DriftWatch(LibraryService& library) : m_library(library) {}
+
+    /// The types are these from now on; the squeezes are those of the library.
+    void load(const TypeModels& models);
+    /// One more, in the models' units. Before load() was answered it is among those of the library, or the
+    /// next load()'s.
+    void add(const TypeSqueeze& squeeze);
+    bool poll(); ///< true when there is something new
+    /// Of the last look; nothing before the first.
+    [[nodiscard]] const std::optional<DriftReport>& report() const { return m_report; }
+
+private:
+    void look();
+
+    LibraryService& m_library;
+    TypeModels m_models;
+    std::deque<TypeSqueeze> m_squeezes; ///< oldest first
+    PendingCall m_loading, m_looking;
+    bool m_isNew = false; ///< something was not looked at yet
+    std::optional<DriftReport> m_report;
 };
 
 struct InspectSession::Private {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/library/aqdef.h"
-
 #include "core/base/csv.h"
+#include "core/session/library/history_document.h"
 #include "core/signal/recording/units.h"
 
 namespace gripscope {

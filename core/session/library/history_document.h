@@ -2,12 +2,15 @@
 #pragma once
 
 #include "core/library/library.h"
+#include "core/library/records/history.h"
 #include "core/library/records/history_list.h"
-#include "core/session/library/aqdef.h"
+#include "core/library/records/type_record.h"
 
 #include <QByteArray>
+#include <QStringList>
 
 #include <optional>
+#include <vector>
 
 namespace gripscope {
 
@@ -23,6 +26,26 @@ enum class HistoryFormat { Csv, Json, Aqdef };
 [[nodiscard]] QJsonObject toJson(const HistoryEntry& entry);
 /// What a query lets through: only the members that narrow it.
 [[nodiscard]] QJsonObject toJson(const HistoryQuery& query);
+
+/// What the head of an AQDEF file (Q-DAS ASCII transfer format, .dfq) says before the values: gathered from
+/// all squeezes first.
+class AqdefCatalogue {
+public:
+    void add(const std::vector<HistoryEntry>& entries);
+    [[nodiscard]] const std::optional<QString>& type() const { return m_type; } ///< of all; empty: various
+    /// K-fields, a line each. `type`: the record of the one type, for its limits; null: none.
+    [[nodiscard]] QByteArray head(const TypeRecord* type) const;
+    /// A line a squeeze: m, b and k with char 15 between, each its fields with char 20 between: value,
+    /// attribute (0; 255: it does not count), time, events, batch, nest, operator, machine, process
+    /// parameter, gauge. SI; times in UTC; Latin-1, lines end with CR LF.
+    [[nodiscard]] QByteArray lines(const std::vector<HistoryEntry>& entries) const;
+
+private:
+    [[nodiscard]] QString line(const HistoryEntry& entry) const;
+    QStringList m_operators, m_stations, m_gauges; ///< numbered from 1
+    std::optional<QString> m_type;
+    bool m_begun = false;
+};
 
 /// All that a query finds as one text, piece by piece, so that neither memory nor the library is taken by it
 /// for long. JSON: {"format": "gripscope-history", "version": 1, ..., "squeezes": [...]}, a squeeze a line.

@@ -4,6 +4,8 @@
 #include "core/library/records/process_values.h"
 #include "core/session/process/process_options.h"
 
+#include <optional>
+
 namespace gripscope {
 
 /// As the library keeps them, JSON; numbers read back to the same bits.

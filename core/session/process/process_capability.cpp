@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/process/process_capability.h"
-
 #include "core/math/sorted_values.h"
+#include "core/session/process/process_chart.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/quality/gauge_result.h"
-
 #include "core/base/words.h"
 #include "core/math/normal_spread.h"
+#include "core/session/quality/study_result.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/quality/squeeze_measured.h"
-
 #include "core/base/words.h"
 #include "core/quality/plan/study_progress.h"
+#include "core/session/quality/study_session.h"
 #include "core/signal/recording/units.h"
 
 #include <cmath>

@@ -5,7 +5,6 @@
 #include "core/library/sql/time_ordered_id.h"
 #include "core/quality/plan/plan_json.h"
 #include "core/quality/plan/plan_words.h"
-#include "core/session/quality/squeeze_measured.h"
 #include "core/session/squeeze/squeeze_job.h"
 #include "core/session/tasks/pool.h"
 

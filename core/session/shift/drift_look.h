@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/quality/change_point.h"
 #include "core/quality/drift.h"
 #include "core/session/inspect/inspected_squeezes.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/identification/identification.h"
-#include "core/recognition/verdict/transfer_check.h"
+#include "core/recognition/verdict/transfer.h"
 #include "core/session/quality/kept_study.h"
 
 #include <QMap>

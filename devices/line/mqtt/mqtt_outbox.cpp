@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/line/mqtt/mqtt_outbox.h"
-
 #include "core/base/words.h"
 #include "core/library/sql/library_location.h"
+#include "devices/line/mqtt/mqtt_publisher.h"
 #include "devices/line/mqtt/outbox_file.h"
 #include "devices/line/mqtt/report_json.h"
 

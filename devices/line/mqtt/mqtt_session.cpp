@@ -2,7 +2,6 @@
 #include "devices/line/mqtt/mqtt_session.h"
 
 #include "devices/line/mqtt/report_json.h"
-#include "devices/line/mqtt/sparkplug_payload.h"
 
 #include <algorithm>
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "devices/line/mqtt/host_state.h"
 #include "devices/line/mqtt/mqtt_options.h"
 #include "devices/line/mqtt/sparkplug_node.h"
+#include "devices/line/mqtt/sparkplug_payload.h"
 
 #include <deque>
+#include <map>
 
 namespace gripscope {
 

@@ -3,7 +3,6 @@
 
 #include "core/base/words.h"
 #include "core/library/sql/synced_names.h"
-#include "devices/line/mqtt/outbox_records.h"
 
 #include <QFile>
 

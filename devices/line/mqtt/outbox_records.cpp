@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "devices/line/mqtt/outbox_records.h"
-
 #include "core/base/byte_writer.h"
+#include "devices/line/mqtt/outbox_file.h"
 
 #include <QCryptographicHash>
 #include <QtEndian>

@@ -3,6 +3,51 @@
 
 namespace gripscope {
 
+using namespace Qt::StringLiterals;
+
+namespace {
+constexpr std::chrono::minutes askedEvery{1};
+}
+
+ClockWatch::ClockWatch(QString program) : m_program(std::move(program))
+{
+    m_process.setStandardInputFile(QProcess::nullDevice());
+    m_process.setStandardErrorFile(QProcess::nullDevice());
+    QObject::connect(
+        &m_process, &QProcess::finished, &m_process,
+        [this](int exit, QProcess::ExitStatus status) { take(status == QProcess::NormalExit && exit == 0); });
+    QObject::connect(&m_process, &QProcess::errorOccurred, &m_process,
+                     [this](QProcess::ProcessError) { take(false); });
+}
+
+ClockWatch::~ClockWatch()
+{
+    m_process.disconnect();
+    if (m_process.state() == QProcess::NotRunning)
+        return;
+    m_process.kill();
+    m_process.waitForFinished(); // what is killed ends at once
+}
+
+void ClockWatch::poll()
+{
+    const auto now = WatchClock::now();
+    if (m_asked && now - *m_asked < askedEvery)
+        return;
+    m_asked = now;
+    if (m_process.state() != QProcess::NotRunning) {
+        m_process.kill(); // a minute without an answer
+        return;
+    }
+    m_process.start(m_program, {u"-n"_s, u"tracking"_s}, QIODevice::ReadOnly);
+}
+
+void ClockWatch::take(bool answered)
+{
+    m_standing =
+        answered ? clockStandingFrom(QString::fromUtf8(m_process.readAllStandardOutput())) : std::nullopt;
+}
+
 ResultSender::ResultSender(const ConnectSession& connection, const InspectSession& inspection)
     : m_reporter(connection, inspection)
 {

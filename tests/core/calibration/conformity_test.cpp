@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_plan.h"
-#include "core/calibration/conformity.h"
+#include "core/calibration/sensor_calibration.h"
 #include "core/calibration/sensor_correction.h"
 #include "core/math/distributions.h"
 #include "core/math/gaussian.h"

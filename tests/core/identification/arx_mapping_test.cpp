@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/arx/arx_mapping.h"
+#include "core/identification/arx/arx.h"
 #include "core/identification/model/discretization.h"
 #include "tests/core/identification/synthetic.h"
 #include "tests/support/test_registry.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/frequency/empirical_response.h"
-#include "core/identification/frequency/model_response.h"
+#include "core/identification/frequency/frequency_response.h"
 #include "core/identification/model/discretization.h"
 #include "core/math/gaussian.h"
 #include "core/math/normal_interval.h"

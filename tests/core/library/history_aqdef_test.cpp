@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/library/aqdef.h"
 #include "core/session/library/history_document.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/support/test_registry.h"

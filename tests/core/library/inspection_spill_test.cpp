@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/spill/inspection_spill.h"
-#include "core/library/spill/kept_inspections.h"
 #include "core/library/spill/spill_file.h"
 #include "core/library/spill/spilled_inspection.h"
 #include "core/library/sql/time_ordered_id.h"

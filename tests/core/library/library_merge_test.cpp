@@ -2,7 +2,7 @@
 #include "core/library/audit/audit_trail.h"
 #include "core/library/merge/known_history.h"
 #include "core/library/merge/library_merge.h"
-#include "core/library/merge/taken_tables.h"
+#include "core/library/merge/row_taker.h"
 #include "core/library/migrations/migration.h"
 #include "core/library/plant/plant_state.h"
 #include "core/library/sql/statement.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/library/library_service.h"
-#include "core/library/link/link_note.h"
 #include "core/library/link/plant_link.h"
-#include "core/library/sql/files_in_use.h"
+#include "core/library/link/shared_link.h"
+#include "core/library/sql/file_identity.h"
 #include "tests/core/library/full_library.h"
 #include "tests/core/library/plant_actions.h"
 #include "tests/support/patience.h"

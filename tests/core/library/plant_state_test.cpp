@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/plant/causality.h"
+#include "core/library/plant/plant_history.h"
 #include "core/library/plant/plant_state.h"
 #include "tests/support/test_registry.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/library/sql/row_cursor.h"
+#include "core/library/sql/rows.h"
 #include "core/library/sql/statement.h"
 #include "tests/core/library/library_fixture.h"
 #include "tests/support/test_registry.h"

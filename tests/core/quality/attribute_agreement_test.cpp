@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/agreement/agreement_json.h"
+#include "core/quality/agreement/attribute_agreement.h"
 #include "tests/support/test_registry.h"
 
+#include <QJsonObject>
 #include <QTest>
 
 #include <cmath>

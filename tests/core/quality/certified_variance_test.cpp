@@ -2,7 +2,6 @@
 // Analyses of variance whose sums of squares are certified (NIST, Statistical Reference Datasets) or by R,
 // from tables as they are written.
 #include "core/quality/gauge/gauge_study.h"
-#include "core/quality/table/decimal_difference.h"
 #include "core/quality/table/study_table.h"
 #include "tests/support/test_registry.h"
 

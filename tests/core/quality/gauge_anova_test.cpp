@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/normal_spread.h"
-#include "core/quality/gauge/cell_projections.h"
-#include "core/quality/gauge/range_method.h"
+#include "core/quality/gauge/cell_means.h"
+#include "core/quality/gauge/source_sums.h"
 #include "tests/core/quality/gauge_tables.h"
 #include "tests/support/test_registry.h"
 

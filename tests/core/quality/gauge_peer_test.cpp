@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Ten unbalanced tables by R's lme4 (tests/peers/gauge_reml.R). By hand too: test_core_quality GaugePeerTest.
-#include "core/quality/gauge/restricted_likelihood.h"
+#include "core/quality/gauge/cell_means.h"
 #include "tests/core/quality/gauge_tables.h"
 #include "tests/support/test_registry.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/gauge/restricted_likelihood.h"
+#include "core/quality/gauge/cell_means.h"
 #include "tests/core/quality/gauge_tables.h"
 #include "tests/support/test_registry.h"
 

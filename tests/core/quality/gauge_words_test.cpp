@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a gauge study says: words, the document, a squeeze's own uncertainty.
-#include "core/quality/gauge/gauge_json.h"
+#include "core/quality/gauge/gauge_study.h"
 #include "core/quality/gauge/gauge_words.h"
 #include "tests/core/quality/gauge_tables.h"
 #include "tests/support/test_registry.h"
 
 #include <QJsonArray>
+#include <QJsonObject>
 #include <QTest>
 
 using namespace gripscope;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/random_stream.h"
-#include "core/quality/agreement/cohen_kappa.h"
-#include "core/quality/agreement/fleiss_kappa.h"
+#include "core/quality/agreement/attribute_agreement.h"
 #include "tests/support/test_registry.h"
 
 #include <QFileInfo>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/charts/run_rules.h"
+#include "core/quality/charts/live_chart.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 #include "core/base/random_stream.h"
 #include "core/math/sample_moments.h"
 #include "core/quality/bias/bias_json.h"
-#include "core/quality/bias/capability_interval.h"
+#include "core/quality/bias/type_one_study.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

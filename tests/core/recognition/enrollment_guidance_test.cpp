@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/enrolment/enrollment_progress.h"
-#include "core/recognition/enrolment/held_out_confusion.h"
-#include "core/recognition/enrolment/type_overlap.h"
+#include "core/recognition/enrolment/enrollment_guidance.h"
 #include "core/recognition/types/paper_appendix.h"
 #include "tests/core/recognition/gaussian_types.h"
 #include "tests/support/test_registry.h"

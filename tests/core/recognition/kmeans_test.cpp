@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/clustering/feature_scaling.h"
 #include "core/clustering/kmeans.h"
-#include "core/clustering/nearest_in_block.h"
+#include "core/clustering/kmeans_assignment.h"
 #include "core/math/gaussian.h"
 #include "core/recognition/types/paper_appendix.h"
 #include "core/research/paper_reproduction.h"

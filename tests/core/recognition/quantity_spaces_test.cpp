@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/distributions.h"
 #include "core/recognition/early/early_stop.h"
-#include "core/recognition/enrolment/enrollment_progress.h"
-#include "core/recognition/enrolment/held_out_confusion.h"
-#include "core/recognition/enrolment/squeeze_outliers.h"
-#include "core/recognition/enrolment/type_overlap.h"
+#include "core/recognition/enrolment/enrollment_guidance.h"
 #include "core/recognition/types/gates.h"
 #include "core/recognition/types/predictive.h"
 #include "core/recognition/verdict/judgement.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/recognition/enrolment/squeeze_outliers.h"
+#include "core/recognition/enrolment/enrollment_guidance.h"
 #include "tests/core/recognition/gaussian_types.h"
 #include "tests/support/test_registry.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/recognition/verdict/conformity_of_squeeze.h"
-#include "core/recognition/verdict/transfer_check.h"
+#include "core/recognition/verdict/transfer.h"
 #include "tests/core/recognition/noisy_types.h"
 #include "tests/support/test_registry.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/math/gaussian.h"
-#include "core/recognition/enrolment/type_overlap.h"
+#include "core/recognition/enrolment/enrollment_guidance.h"
 #include "core/recognition/types/squeeze_values.h"
 #include "core/recognition/verdict/verdict_by_space.h"
 #include "tests/support/test_registry.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/calibration_facts.h"
-#include "core/calibration/conformity.h"
+#include "core/calibration/sensor_calibration.h"
 #include "core/identification/identification.h"
 #include "core/session/calibrate/calibrate_session.h"
 #include "core/session/squeeze/squeeze_job.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/calibrate/frame_session.h"
+#include "core/session/calibrate/measuring_sessions.h"
 #include "tests/core/session/series_fixture.h"
 #include "tests/support/test_registry.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/session/squeeze/recipe_expectation.h"
+#include "core/session/squeeze/recipe_design.h"
 #include "tests/support/test_registry.h"
 
 #include <QTest>

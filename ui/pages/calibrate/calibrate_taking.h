@@ -4,7 +4,7 @@
 #include "core/base/display_units.h"
 #include "core/calibration/calibration_plan.h"
 #include "core/session/calibrate/calibrate_session.h"
-#include "ui/pages/calibrate/certificate_dialog.h"
+#include "ui/windows/dialog.h"
 
 #include <QWidget>
 
@@ -30,6 +30,34 @@ class CalibrationPointsModel;
 class QuantityBox;
 class QuantityListEdit;
 class Workbench;
+
+/// What a certificate says that the points do not.
+struct CertificateDetails {
+    QDate referenceDue; ///< invalid: nobody said
+    std::optional<double> ambient_C;
+    std::optional<double> tolerance_si;
+    DecisionRule rule = DecisionRule::Guarded;
+    bool checkAfter = false;
+};
+
+/// Asks for it before the first load is put on. What is not ticked is not stated.
+class CertificateDialog : public Dialog {
+    Q_OBJECT
+public:
+    CertificateDialog(const CertificateDetails& details, SensorChannel channel, QWidget* parent = nullptr);
+    [[nodiscard]] CertificateDetails details() const;
+
+private:
+    void build();
+    void addRow(QGridLayout* grid, QCheckBox* stated, QWidget* field);
+    void show(const CertificateDetails& details);
+
+    QCheckBox *m_hasDue, *m_hasAmbient, *m_hasTolerance, *m_checkAfter;
+    QDateEdit* m_due;
+    QDoubleSpinBox* m_ambient;
+    QuantityBox* m_tolerance;
+    QComboBox* m_rule;
+};
 
 /// What a calibration is to be: the channel, the loads, how often, against what. Says at once what is wrong.
 class CalibrateSetup : public QWidget {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/calibrate/certificate_dialog.h"
-
 #include "ui/format/date_text.h"
+#include "ui/pages/calibrate/calibrate_taking.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/quantity_box.h"
 

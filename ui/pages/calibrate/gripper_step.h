@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/session/calibrate/frame_session.h"
 #include "core/session/calibrate/measuring_sessions.h"
 #include "ui/pages/shared/guided_squeezes.h"
 

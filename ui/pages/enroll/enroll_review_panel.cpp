@@ -14,7 +14,6 @@
 #include "ui/format/number_format.h"
 #include "ui/format/recipe_words.h"
 #include "ui/format/shown_unit.h"
-#include "ui/pages/enroll/trial_dialog.h"
 #include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/part_picture.h"
 #include "ui/people/authorize.h"

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/library/records/type_record.h"
 #include "core/recognition/types/models_by_space.h"
 #include "core/session/enroll/enrollment_advice.h"
+#include "ui/windows/dialog.h"
 
 #include <QString>
 #include <QWidget>
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -99,6 +102,21 @@ private:
     TypeMap* m_map;
     EnrollCheck* m_check;
     QPushButton* m_approve;
+};
+
+/// What a part of a type, approved or not, would be called: a squeeze that is neither stored nor counted, and
+/// says so.
+class TrialDialog : public Dialog {
+    Q_OBJECT
+public:
+    TrialDialog(Workbench& workbench, const QString& type, const Recipe& recipe, QWidget* parent = nullptr);
+    ~TrialDialog() override;
+    void done(int result) override;
+
+private:
+    void build();
+    struct Private;
+    std::unique_ptr<Private> d;
 };
 
 } // namespace gripscope

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/enroll/trial_dialog.h"
-
+#include "core/recognition/verdict/verdict.h"
 #include "core/session/enroll/trial_session.h"
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
+#include "ui/pages/enroll/enroll_review_panel.h"
 #include "ui/pages/shared/guided_squeezes.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/plain_text.h"
@@ -35,8 +35,8 @@ namespace {
 const RegisteredDialog<TrialDialog> trialDialogRow("trial", [](Workbench& bench, QWidget* over) {
     return new TrialDialog(bench, u"A"_s, {}, over);
 });
-} // namespace
 
+/// "Trial: it would be A (posterior 0.9998)." and why.
 QString trialWords(const Verdict& verdict)
 {
     QString words;
@@ -58,6 +58,8 @@ QString trialWords(const Verdict& verdict)
     }
     return QStringList{words, described(verdict.allReasons()).join(u' ')}.join(u'\n').trimmed();
 }
+
+} // namespace
 
 TrialDialog::TrialDialog(Workbench& workbench, const QString& type, const Recipe& recipe, QWidget* parent)
     : Dialog(parent), d(std::make_unique<Private>(workbench, type, recipe))

@@ -6,11 +6,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 class QMenu;
 
 namespace gripscope {
 
+struct BodeContent;
+struct EmpiricalResponse;
 class WorkWatch;
 struct FitSubject;
 
@@ -57,6 +60,11 @@ private:
     void nameButton(const QString& words);          ///< that identifies, or stops that
     void showSubject();
     void showPlots(Estimator estimator);
+    /// What the Bode plot of a squeeze shows: `measured`, and the model that `estimator` found, with the band
+    /// of its own covariance. What both have in common (calibration, the empty gripper) is in neither
+    /// interval (fit_page_bode.cpp).
+    [[nodiscard]] static BodeContent bodeContent(const FitSubject& subject, Estimator estimator,
+                                                 const std::optional<EmpiricalResponse>& measured);
     void measureResponse(); ///< in the pool
     void takeTourSqueeze();
 

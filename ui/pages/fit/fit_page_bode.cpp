@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/fit/fit_page_bode.h"
-
+#include "ui/charts/bode_plots.h"
 #include "ui/context/navigator.h"
 #include "ui/format/channel_scale.h"
 #include "ui/format/estimate_words.h"
+#include "ui/pages/fit/fit_page.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +35,8 @@ std::vector<double> modelFrequencies(const Identification& identification)
 
 } // namespace
 
-BodeContent bodeContent(const FitSubject& subject, Estimator estimator,
-                        const std::optional<EmpiricalResponse>& measured)
+BodeContent FitPage::bodeContent(const FitSubject& subject, Estimator estimator,
+                                 const std::optional<EmpiricalResponse>& measured)
 {
     const Identification& found = subject.identification;
     BodeContent content;

@@ -4,7 +4,7 @@
 #include "core/math/normal_interval.h"
 #include "ui/context/navigator.h"
 #include "ui/format/derived_quantities.h"
-#include "ui/format/result_text.h"
+#include "ui/format/parameter_text.h"
 #include "ui/format/shown_budget.h"
 #include "ui/format/validation_words.h"
 #include "ui/models/budget_table_model.h"

@@ -3,7 +3,6 @@
 #include "ui/format/fact.h"
 #include "ui/format/validation_words.h"
 #include "ui/models/comparison_table_model.h"
-#include "ui/models/estimate_delegate.h"
 #include "ui/models/estimate_table_model.h"
 #include "ui/pages/fit/fit_page_summary.h"
 #include "ui/pages/fit/fit_page_table.h"

@@ -6,7 +6,6 @@
 #include "ui/format/number_format.h"
 #include "ui/pages/fit/fit_page_export.h"
 #include "ui/pages/fit/fit_page_squeezes.h"
-#include "ui/pages/fit/overlay_dialog.h"
 #include "ui/pages/history/history_page_private.h"
 #include "ui/pages/history/history_parts.h"
 #include "ui/pages/types/reidentify_dialog.h"

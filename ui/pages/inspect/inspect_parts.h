@@ -17,6 +17,7 @@ class QCheckBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
+class QLineEdit;
 class QRadioButton;
 
 namespace gripscope {
@@ -141,6 +142,22 @@ private:
     QDoubleSpinBox *m_falseReject = nullptr, *m_wrongType = nullptr, *m_strangerAccept = nullptr;
     QRadioButton *m_average = nullptr, *m_confident = nullptr;
     QCheckBox *m_robust = nullptr, *m_early = nullptr;
+};
+
+/// Asks why an inspection does not count: the two reasons that there are every day by a press each, any other
+/// in words.
+class VoidDialog : public Dialog {
+    Q_OBJECT
+public:
+    VoidDialog(qint64 number, QWidget* parent);
+
+signals:
+    void answered(const QString& reason); ///< accepted with this
+
+private:
+    void give(const QString& reason);
+    QLineEdit* m_reason;
+    QPushButton* m_accept;
 };
 
 /// Brings the Inspect page to a telling state: parts as expected, another type, a stranger. `expect` and

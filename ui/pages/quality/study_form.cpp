@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/quality/study_form.h"
-
 #include "core/base/csv.h"
 #include "core/base/display_units.h"
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
 #include "ui/format/reference_words.h"
+#include "ui/pages/quality/study_views.h"
 #include "ui/pages/quality/study_words.h"
 #include "ui/settings/values/settings.h"
 #include "ui/widgets/controls.h"

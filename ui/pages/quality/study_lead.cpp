@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/quality/study_lead.h"
-
 #include "core/quality/plan/plan_words.h"
 #include "ui/context/connection_words.h"
 #include "ui/context/workbench.h"
 #include "ui/pages/page_state.h"
+#include "ui/pages/quality/study_views.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/progress.h"
 #include "ui/windows/question.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/quality/study_list.h"
-
 #include "core/library/library.h"
 #include "core/quality/plan/plan_json.h"
 #include "ui/context/workbench.h"
 #include "ui/format/date_text.h"
 #include "ui/format/study_due_words.h"
+#include "ui/pages/quality/study_views.h"
 #include "ui/pages/quality/study_words.h"
 #include "ui/settings/values/settings.h"
 #include "ui/widgets/controls.h"

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/quality/study_outcome.h"
-
 #include "core/base/bounded_file.h"
 #include "core/library/library.h"
 #include "ui/charts/study_charts.h"
 #include "ui/context/workbench.h"
 #include "ui/format/date_text.h"
 #include "ui/format/reference_words.h"
+#include "ui/pages/quality/study_views.h"
 #include "ui/pages/quality/study_words.h"
-#include "ui/reports/study_numbers.h"
-#include "ui/reports/study_report.h"
+#include "ui/reports/quality_reports.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"
 #include "ui/widgets/row_list.h"

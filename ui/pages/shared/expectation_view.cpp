@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/shared/expectation_view.h"
-
 #include "core/base/words.h"
 #include "ui/context/workbench.h"
 #include "ui/format/parameter_text.h"
 #include "ui/format/shown_unit.h"
+#include "ui/pages/shared/enroll_recipe_form.h"
 #include "ui/widgets/controls.h"
 
 #include <algorithm>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/shared/limit_fields.h"
-
 #include "core/base/display_units.h"
 #include "core/signal/recording/units.h"
 #include "ui/format/reference_words.h"
+#include "ui/pages/shared/type_limits_dialog.h"
 #include "ui/widgets/controls.h"
 
 #include <QGridLayout>

@@ -5,7 +5,6 @@
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
 #include "ui/format/reference_words.h"
-#include "ui/pages/shared/limit_fields.h"
 #include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 

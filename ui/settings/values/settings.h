@@ -49,7 +49,7 @@ public:
     /// One sentence for each stored value that could not be used; it and they are then forgotten.
     [[nodiscard]] QStringList takeProblems();
 
-    /// Where the window keeps its state (ui/shell/window_host.h): no settings, so neither shown nor
+    /// Where the window keeps its state (ui/shell/desktop_session.h): no settings, so neither shown nor
     /// exported.
     [[nodiscard]] QByteArray windowState() const;
     void setWindowState(const QByteArray& state);

@@ -2,14 +2,14 @@
 // What leaves the window: the points of the charts as a table, and a report.
 #include "core/base/bounded_file.h"
 #include "core/library/library.h"
-#include "ui/charts/control_view.h"
+#include "ui/charts/control_plot.h"
 #include "ui/context/workbench.h"
 #include "ui/pages/quality/process/process_capability_panel.h"
 #include "ui/pages/quality/process/process_controls.h"
 #include "ui/pages/quality/process/process_names.h"
 #include "ui/pages/quality/process/process_signal_list.h"
 #include "ui/pages/quality/process/process_view.h"
-#include "ui/reports/process_report.h"
+#include "ui/reports/quality_reports.h"
 #include "ui/windows/file_dialog.h"
 
 #include <functional>

@@ -5,7 +5,7 @@
 #include "core/library/records/history.h"
 #include "core/session/process/process_words.h"
 #include "core/signal/recording/units.h"
-#include "ui/charts/control_view.h"
+#include "ui/charts/control_plot.h"
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
 #include "ui/pages/quality/process/process_capability_panel.h"

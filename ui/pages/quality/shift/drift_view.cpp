@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/quality/shift/drift_view.h"
-
 #include "core/library/library.h"
 #include "ui/charts/course_plot.h"
 #include "ui/charts/interval_plot.h"
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
 #include "ui/pages/quality/shift/drift_charts.h"
+#include "ui/pages/quality/shift/shift_views.h"
 #include "ui/pages/quality/shift/shift_words.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/row_list.h"

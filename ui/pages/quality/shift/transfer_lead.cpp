@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/quality/shift/transfer_lead.h"
-
 #include "core/quality/plan/plan_words.h"
 #include "core/session/shift/transfer_watch.h"
 #include "ui/charts/interval_plot.h"
@@ -8,6 +6,7 @@
 #include "ui/context/workbench.h"
 #include "ui/format/number_format.h"
 #include "ui/pages/quality/shift/drift_charts.h"
+#include "ui/pages/quality/shift/transfer_steps.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/progress.h"
 #include "ui/windows/question.h"

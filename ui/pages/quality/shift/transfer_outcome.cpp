@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/quality/shift/transfer_outcome.h"
-
 #include "core/library/library.h"
 #include "core/session/shift/transfer_watch.h"
 #include "ui/charts/interval_plot.h"
@@ -9,6 +7,7 @@
 #include "ui/format/number_format.h"
 #include "ui/pages/quality/shift/drift_charts.h"
 #include "ui/pages/quality/shift/shift_words.h"
+#include "ui/pages/quality/shift/transfer_steps.h"
 #include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/elided_label.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/quality/shift/transfer_start.h"
-
 #include "core/library/library.h"
 #include "core/library/records/study_record.h"
 #include "ui/context/connection_words.h"
 #include "ui/context/workbench.h"
 #include "ui/format/date_text.h"
 #include "ui/format/number_format.h"
+#include "ui/pages/quality/shift/transfer_steps.h"
 #include "ui/people/authorize.h"
 #include "ui/widgets/controls.h"
 #include "ui/widgets/plain_text.h"

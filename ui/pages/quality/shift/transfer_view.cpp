@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/quality/shift/transfer_view.h"
-
 #include "ui/context/workbench.h"
-#include "ui/pages/quality/shift/transfer_lead.h"
-#include "ui/pages/quality/shift/transfer_outcome.h"
-#include "ui/pages/quality/shift/transfer_start.h"
+#include "ui/pages/quality/shift/shift_views.h"
+#include "ui/pages/quality/shift/transfer_steps.h"
 
 #include <QStackedWidget>
 #include <QVBoxLayout>
