@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Every folder with sources is a room. packaging/rooms.txt lists the rooms from the bottom up, and for each the rooms above
 # it in the list and the libraries that its files may include. What is not listed there is refused when CMake configures;
-# since a room can only name rooms that stand above it, there are no circles.
+# since a room can only name rooms that stand above it, there are no circles. A listed room that no file of it
+# includes is refused too: an arrow that is gone comes back by a decision.
 
 # gripscope_library_of(OUT HEADER): which library an angle-bracket include is of; empty where it is none that is known.
 function(gripscope_library_of out header)
@@ -70,9 +71,12 @@ function(gripscope_read_rooms file)
   set(ROOMS "${rooms}" PARENT_SCOPE)
 endfunction()
 
-# gripscope_room_faults(OUT ROOM FILES...): the includes in the files of ROOM that ALLOWED_<room> does not have.
+# gripscope_room_faults(OUT ROOM FILES...): the includes in the files of ROOM that ALLOWED_<room> does not have, and the
+# rooms there that none of the files includes.
 function(gripscope_room_faults out room)
   set(faults "")
+  set(unused "${ALLOWED_${room}}")
+  list(FILTER unused INCLUDE REGEX "/")
   foreach(file IN LISTS ARGN)
     file(STRINGS "${file}" includes REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS includes)
@@ -88,11 +92,15 @@ function(gripscope_room_faults out room)
       else()
         set(needed "")
       endif()
+      list(REMOVE_ITEM unused "${needed}")
       if(NOT needed STREQUAL room AND NOT needed STREQUAL "std" AND NOT needed STREQUAL "absent" AND
          NOT needed IN_LIST ALLOWED_${room})
         list(APPEND faults "${file}: ${line} (${needed} is not listed for ${room})")
       endif()
     endforeach()
+  endforeach()
+  foreach(other IN LISTS unused)
+    list(APPEND faults "${room}: it lists ${other}, that no file of it includes")
   endforeach()
   set(${out} "${faults}" PARENT_SCOPE)
 endfunction()
@@ -133,6 +141,6 @@ function(gripscope_check_rooms)
   endforeach()
   if(faults)
     list(JOIN faults "\n  " text)
-    message(FATAL_ERROR "What a folder may use is listed in packaging/rooms.txt; this is not:\n  ${text}")
+    message(FATAL_ERROR "What a folder may use, and does, is listed in packaging/rooms.txt; this is not so:\n  ${text}")
   endif()
 endfunction()

@@ -17,7 +17,7 @@ class SmallPlc {
 public:
     bool connectTo(std::uint16_t port)
     {
-        m_socket.connectToHost(u"127.0.0.1"_s, port);
+        m_socket.connectToHost(QStringLiteral("127.0.0.1"), port);
         return m_socket.waitForConnected(longEnough_ms);
     }
     /// The registers 100 to 147; empty: no answer.
