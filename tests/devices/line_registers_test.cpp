@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "devices/line/modbus_registers.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/text_file.h"
 
-#include <QFile>
 #include <QRegularExpression>
 #include <QTest>
 
@@ -39,12 +39,6 @@ LineResult someResult()
     result.quantities = {LineQuantity{0.0396, 1e-4}, std::nullopt, LineQuantity{9990, std::nullopt}};
     result.utc = QDateTime::fromMSecsSinceEpoch(1'700'000'000'123, Qt::UTC);
     return result;
-}
-
-QString readText(const QString& path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
 } // namespace
@@ -210,7 +204,7 @@ private slots:
     void theManualHasTheseRegisters()
     {
         QFETCH(QString, page);
-        const QString text = readText(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/") + page);
+        const QString text = test::textOf(QStringLiteral(GRIPSCOPE_SOURCE_DIR "/") + page);
         const QRegularExpression row(
             QStringLiteral("^\\| (\\d+)(?: to \\d+| bis \\d+)? \\| `([^`]+)` \\| (\\w+) \\|"),
             QRegularExpression::MultilineOption);

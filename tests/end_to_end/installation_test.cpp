@@ -2,6 +2,7 @@
 // What `cmake --install` puts into a folder, and that it works from there.
 #include "tests/end_to_end/program_run.h"
 #include "tests/support/test_registry.h"
+#include "tests/support/text_file.h"
 
 #include <QDirIterator>
 #include <QRegularExpression>
@@ -36,12 +37,6 @@ const Installed& installed()
 {
     static const Installed one;
     return one;
-}
-
-QString textOf(const QString& file)
-{
-    QFile in(file);
-    return in.open(QIODevice::ReadOnly) ? QString::fromUtf8(in.readAll()) : QString();
 }
 
 /// What a manual page shows: without its requests and escapes.

@@ -2,10 +2,10 @@
 // What the house says of itself: its papers name files that are there, and a header is there for more than
 // one.
 #include "tests/support/test_registry.h"
+#include "tests/support/text_file.h"
 
 #include <QDir>
 #include <QDirIterator>
-#include <QFile>
 #include <QFileInfo>
 #include <QMap>
 #include <QRegularExpression>
@@ -18,12 +18,6 @@ using namespace Qt::StringLiterals;
 namespace {
 
 const QString root = QStringLiteral(GRIPSCOPE_SOURCE_DIR);
-
-QString textOf(const QString& path)
-{
-    QFile file(root + u'/' + path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
 
 /// The files of the repository by their path in it, without what builds leave behind.
 QStringList filesOfTheHouse()
@@ -58,7 +52,7 @@ QMap<QString, QStringList> clientsOfHeaders(const QStringList& files)
     for (const QString& path : files) {
         if (!path.endsWith(u".h") && !path.endsWith(u".cpp") && !path.endsWith(u".c"))
             continue;
-        const QString text = textOf(path);
+        const QString text = gripscope::test::textOf(root + u'/' + path);
         auto matches = include.globalMatch(text);
         while (matches.hasNext()) {
             const QString header = matches.next().captured(1);
@@ -73,7 +67,8 @@ QMap<QString, QStringList> clientsOfHeaders(const QStringList& files)
 QMap<QString, QString> loneHeaders()
 {
     QMap<QString, QString> reasons;
-    for (const QString& line : textOf(u"tests/support/lone_headers.txt"_s).split(u'\n', Qt::SkipEmptyParts)) {
+    for (const QString& line : gripscope::test::textOf(root + u"/tests/support/lone_headers.txt"_s)
+                                   .split(u'\n', Qt::SkipEmptyParts)) {
         if (!line.startsWith(u'#'))
             reasons.insert(line.section(u':', 0, 0), line.section(u':', 1).trimmed());
     }
@@ -133,7 +128,7 @@ private slots:
             // (The manual speaks of the files of its readers.)
             if (!paper.endsWith(u".md") || paper.startsWith(u"resources/manual/") || paper == u"CHANGELOG.md")
                 continue;
-            const QString text = textOf(paper);
+            const QString text = gripscope::test::textOf(root + u'/' + paper);
             const QSet<QString> folders = foldersNamed(text);
             auto matches = name.globalMatch(text);
             while (matches.hasNext()) {
